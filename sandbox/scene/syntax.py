@@ -53,7 +53,7 @@ def _explain(text: str, pos: int, msg: str) -> tuple[str, str]:
         return "a trailing comma", "take it away: nothing follows it"
     if text[pos:].strip() == "" and "tring" not in msg:
         return "the file ends too early", _unclosed(text, pos)[1] or "a closing bracket is missing"
-    if here in ("/", "#"):
+    if here == "#" or text[pos : pos + 2] in ("//", "/*"):
         return "JSON has no comments", 'an object may have one as a field, "$comment": "..."'
     if here == "'":
         return "text stands in double quotes", ""
@@ -98,12 +98,23 @@ def _explain_end(text: str, pos: int, word: str) -> tuple[str, str]:
     here, before = text[pos : pos + 1], text[pos - 1 : pos]
     if before == "0" and here.isdigit():
         return "a number must not begin with 0", ""
+    if before.isdigit() and here and (here in "._/*+" or here.isalpha()):
+        return "not a valid number", _mend_number(here)
     if word and before == '"':
         return "the text ends before this", 'a " is missing or too much; within a text it is \\"'
     if here in CLOSING.values():
         closing, mend = _unclosed(text, pos)
         return (f'a "{closing}" is missing before this', mend) if closing else ("nothing is open here", "")
     return "a comma is missing before this", ""
+
+
+def _mend_number(here: str) -> str:
+    """What is to be done about a letter or sign that goes on from a digit."""
+    if here in "/*+":
+        return 'an expression is text that begins with "=", as in "=1 / 2"'
+    if here == ".":
+        return "a point has digits on both sides, and there is one"
+    return "a number is decimal and stands without its unit, as in 16 or 1.6e3"
 
 
 def _unclosed(text: str, pos: int) -> tuple[str, str]:

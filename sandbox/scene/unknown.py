@@ -13,8 +13,8 @@ from pydantic import BaseModel, Tag
 from sandbox.scene.constraints import describe
 from sandbox.scene.finding import Finding, Path, quoted
 from sandbox.scene.limits import MAX_FINDINGS
-from sandbox.scene.near_names import did_you_mean, nearest
 from sandbox.scene.objects import OBJECTS
+from sandbox.scene.other_words import did_you_mean_word, meant_by, nearest_word
 from sandbox.scene.union import TAGS, UNIONS
 
 _FEW = 8
@@ -33,13 +33,16 @@ def belongs_elsewhere(name: str) -> bool:
 
 
 def _meant(name: str, known: list[str], instead: str) -> str:
-    """The hint: the same word in the plural, an object in this one that has it, a name it is part of, or a near one."""
-    near = nearest(name, known)
+    """The hint: what the word means here, the same in the plural, an object in this one that has it, a name that it is
+    part of, or a near one."""
+    near = nearest_word(name, known)
     homes = [home for home, model in OBJECTS.items() if name in model.model_fields]
     inside = [home for home in homes if _word(home) in map(_word, known)]
     longer = [other for other in known if name in other.split("_")]
     if near is not None and _word(near) == _word(name):
         longer = [near]
+    if meant_by(name, known):
+        return f'did you mean "{near}"?'
     if longer and not inside:
         return f"did you mean {' or '.join(map(quoted, longer))}?"
     if homes:
@@ -76,7 +79,7 @@ def no_kind(path: Path, item: Mapping[str, Any]) -> list[Finding]:
         return [Finding((*path, given[-1]), f"{article} {what} has one kind, and this one has {listed}", on_key=True)]
     strays = [key for key in islice(value, MAX_FINDINGS) if key not in fields]
     unknown = [unknown_field((*path, key), fields) for key in strays]
-    if any(did_you_mean(key, kinds) for key in strays):
+    if any(did_you_mean_word(key, kinds) for key in strays):
         return unknown
     listed = ", ".join(f'"{key}"' for key in kinds)
     wanted = f"{article} {what} needs one of {listed}"
@@ -94,10 +97,10 @@ def no_type(path: Path, item: Mapping[str, Any]) -> list[Finding]:
     given = value.get("type")
     listed = ", ".join(f'"{key}"' for key in kinds)
     if isinstance(given, str):
-        return [Finding((*path, "type"), f"type must be one of {listed}", did_you_mean(given, kinds))]
+        return [Finding((*path, "type"), f"type must be one of {listed}", did_you_mean_word(given, kinds))]
     if "type" in value:
         return [Finding((*path, "type"), f"type must be text, not {describe(given)}")]
-    near = [key for key in islice(value, MAX_FINDINGS) if did_you_mean(key, ["type"])]
+    near = [key for key in islice(value, MAX_FINDINGS) if did_you_mean_word(key, ["type"])]
     if near:
         return [unknown_field((*path, near[0]), ["type"])]
     return [Finding(path, f'a {what} needs a "type", one of {listed}')]

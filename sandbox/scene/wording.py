@@ -13,8 +13,8 @@ from pydantic import BaseModel, ValidationError
 from sandbox.scene.constraints import describe
 from sandbox.scene.finding import Finding, Path, quoted
 from sandbox.scene.limits import MAX_FINDINGS
-from sandbox.scene.near_names import did_you_mean, nearest
 from sandbox.scene.number_mend import number_mend
+from sandbox.scene.other_words import did_you_mean_word, nearest_word
 from sandbox.scene.report import sort_of
 from sandbox.scene.union import TAGS
 from sandbox.scene.unknown import belongs_elsewhere, model_at, names, no_kind, no_type, unknown_field
@@ -53,7 +53,7 @@ def _meant(items: Sequence[Mapping[str, Any]], root: type[BaseModel]) -> dict[An
     only = {loc[:-1]: loc for loc in missing if gaps[loc[:-1]] == strays[loc[:-1]] == 1}
     meant = {}
     for loc in unknown:
-        near = nearest(str(loc[-1]), names(model_at(loc[:-1], root)))
+        near = nearest_word(str(loc[-1]), names(model_at(loc[:-1], root)))
         if near is not None:
             meant[loc] = (*loc[:-1], near)
         elif loc[:-1] in only and not belongs_elsewhere(str(loc[-1])):
@@ -145,7 +145,7 @@ def _mend_of_text(kind: str, value: object) -> str:
 def _not_a_choice(value: object, expected: str) -> tuple[str, str]:
     names = re.findall(r"'([^']*)'", expected)
     listed = ", ".join(f'"{name}"' for name in names)
-    return f"must be one of {listed}", did_you_mean(value, names) if isinstance(value, str) else ""
+    return f"must be one of {listed}", did_you_mean_word(value, names) if isinstance(value, str) else ""
 
 
 def _label(path: Path) -> str:
