@@ -3,57 +3,54 @@
 from __future__ import annotations
 
 import os
-import re
 import sys
-from collections.abc import Sequence
+from collections.abc import Iterable, Iterator
+from itertools import islice
+from pathlib import Path
+from typing import Literal, NamedTuple
 
-from sandbox._bounded_read import is_regular
-from sandbox.cli.replay_messages import advice, reasons
-from sandbox.replay.golden.examine import Report
-from sandbox.scene.excerpt import line_column
-from sandbox.scene.locate import locate
-
-_EDITED = re.compile(r"(.+?\.json):(\d+):\d+: ")
+from sandbox.errors import FileError
 
 MOST = 10
 """GitHub shows no more of one step."""
 
 
-def annotate(reports: Sequence[Report], to_stderr: bool) -> None:
-    """Print a note for each report that is not fine, the first `MOST` of them; nothing outside of GitHub Actions."""
+class Note(NamedTuple):
+    """A `text` for a `line` of a file, 0 for the file as a whole."""
+
+    file: str
+    line: int
+    title: str
+    text: str
+    level: Literal["error", "warning"] = "error"
+
+
+def annotate(notes: Iterable[Note], to_stderr: bool) -> None:
+    """Print the first `MOST` of these; nothing outside of GitHub Actions."""
     if os.environ.get("GITHUB_ACTIONS") != "true":
         return
-    for report in [report for report in reports if not report.fine][:MOST]:
-        print(_note(report), file=sys.stderr if to_stderr else sys.stdout)
+    for note in islice(notes, MOST):
+        place = f",line={note.line}" if note.line else ""
+        line = f"::{note.level} file={_property(_in_repository(note.file))}{place},title={_property(note.title)}"
+        print(f"{line}::{_data(note.text)}", file=sys.stderr if to_stderr else sys.stdout)
 
 
-def _note(report: Report) -> str:
-    file, line = _place(report)
-    place = f",line={line}" if line else ""
-    title = f"replay {report.verdict}"
-    text = "\n".join([*reasons(report), *advice(report)])
-    return f"::error file={_property(file)}{place},title={_property(title)}::{_data(text)}"
+def notes_of_error(file: Path, error: Exception, title: str) -> Iterator[Note]:
+    """A note for each mistake that keeps a file from being used, where it is."""
+    if not isinstance(error, FileError):
+        yield Note(file.as_posix(), 0, title, str(error))
+        return
+    for problem in error.problems:
+        text = f"{problem.message}: {problem.hint}" if problem.hint else problem.message
+        yield Note(problem.source or error.source, problem.line, title, text)
 
 
-def _place(report: Report) -> tuple[str, int]:
-    """File and line: those of the edit that is the cause, if it is known."""
-    cause = report.outcome.divergence.cause if report.outcome and report.outcome.divergence else None
-    edited = _EDITED.match(cause.said[0]) if cause is not None and cause.kind in ("scene", "command") else None
-    if edited is not None:
-        return edited[1], int(edited[2])
-    file = report.scene if report.verdict == "missing" else report.case.replay.as_posix()
-    return file, _line(report)
-
-
-def _line(report: Report) -> int:
-    """The line of the mistake, or of the fingerprint of the first step that differs; 0 if there is none."""
-    if report.problems:
-        return report.problems[0].line
-    if report.outcome is None or report.outcome.divergence is None or not is_regular(report.case.replay):
-        return 0
-    text = report.case.replay.read_text(encoding="utf-8")
-    path = ("digests", max(report.outcome.divergence.step - 1, 0))
-    return line_column(text, locate(text, [path])[path].value_span[0])[0]
+def _in_repository(file: str) -> str:
+    """The way to a file from the root of the repository, from where GitHub looks for it."""
+    root = os.environ.get("GITHUB_WORKSPACE", "")
+    path = os.path.abspath(file)
+    inside = root and path.startswith(os.path.join(os.path.abspath(root), ""))
+    return Path(os.path.relpath(path, root) if inside else file).as_posix()
 
 
 def _data(text: str) -> str:

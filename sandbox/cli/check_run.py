@@ -29,6 +29,8 @@ class Work(NamedTuple):
 
 def run(work: Work) -> list[Result]:
     """What became of each of the files, in their order, told as it is asked for."""
+    from sandbox.cli.annotations import annotate
+    from sandbox.cli.check_table import notes
     from sandbox.cli.compiling import announce_compilation
 
     announce_compilation()
@@ -37,6 +39,7 @@ def run(work: Work) -> list[Result]:
     seconds = time.perf_counter() - start
     if work.options.junit is not None:
         _write_junit(work.options.junit, results, seconds)
+    annotate(notes(results), to_stderr=work.options.json)
     if work.options.json:  # last, for where the report cannot be written, the document says so instead
         print_document(facts(results, seconds), exit_code(results))
     return results

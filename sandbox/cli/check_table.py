@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import sys
 from collections import Counter
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -12,6 +12,7 @@ from rich.text import Text
 
 from sandbox._printable import printable, told
 from sandbox.cli import failures
+from sandbox.cli.annotations import Note, notes_of_error
 from sandbox.cli.check_result import Result
 from sandbox.cli.junit import JUnitCase
 
@@ -79,6 +80,20 @@ def reasons(result: Result) -> list[str]:
     return lines + [f"  {body} was frozen at step {step}: its numbers went bad" for body, step in run.frozen]
 
 
+def notes(results: Sequence[Result]) -> Iterator[Note]:
+    """What GitHub shows beside the files: each expectation that failed at its line, each mistake at its own."""
+    for result in results:
+        title = f"check {result.verdict}"
+        if result.error is not None:
+            yield from notes_of_error(result.path, result.error, title)
+        elif result.verdict == "failed":
+            failed = [verdict for verdict in result.run.verdicts if not verdict.holds] if result.run else []
+            for verdict in failed:
+                yield Note(result.path.as_posix(), result.line(verdict), title, _outcome(verdict))
+            rest = [reason.strip() for reason in reasons(result)[len(failed) :]]
+            yield from (Note(result.path.as_posix(), 0, title, reason) for reason in rest)
+
+
 def junit_case(result: Result) -> JUnitCase:
     """What a CI server is told of a file."""
     if result.run is None:
@@ -90,7 +105,8 @@ def junit_case(result: Result) -> JUnitCase:
 
 
 def _reason(result: Result, verdict: Verdict) -> str:
-    return (
-        f"  {told(result.path)}:{result.line(verdict)}: {printable(result.text(verdict))}\n"
-        f"    at step {verdict.step}: expected {verdict.expected}; got: {verdict.got}"
-    )
+    return f"  {told(result.path)}:{result.line(verdict)}: {printable(result.text(verdict))}\n    {_outcome(verdict)}"
+
+
+def _outcome(verdict: Verdict) -> str:
+    return f"at step {verdict.step}: expected {verdict.expected}; got: {verdict.got}"

@@ -17,6 +17,7 @@ from sandbox.errors import ArgumentError, SandboxError
 from sandbox.resources import SCENE_SUFFIX
 
 if TYPE_CHECKING:
+    from sandbox.cli.annotations import Note
     from sandbox.lint.rule import Rule
     from sandbox.lint.run import Lint
 
@@ -63,6 +64,7 @@ def lint(options: LintOptions) -> None:
     Exit code 2: a file or an option could not be used; the others were still looked at.
     Exit code 5: there was none to look at.
     """
+    from sandbox.cli.annotations import annotate
     from sandbox.cli.check import find_files
     from sandbox.cli.compiling import announce_compilation
 
@@ -74,6 +76,7 @@ def lint(options: LintOptions) -> None:
     announce_compilation()
     look = _look(rules, values_set(options.set))
     results = _for_machines(files, look) if options.json else _for_people(files, look)
+    annotate(_notes(results), to_stderr=options.json)
     raise typer.Exit(_exit_code(results))
 
 
@@ -170,6 +173,18 @@ def _entry(result: Result) -> dict[str, Any]:
     if result.error is not None:
         return {**entry, "problems": problems(result.error)}
     return {**entry, "findings": [{"rule": found.rule, **asdict(found.problem)} for found in result.found]}
+
+
+def _notes(results: Sequence[Result]) -> Iterator[Note]:
+    """What GitHub shows beside the files."""
+    from sandbox.cli.annotations import Note, notes_of_error
+
+    for result in results:
+        if result.error is not None:
+            yield from notes_of_error(result.path, result.error, "lint")
+        for found in result.found:
+            text = ": ".join(filter(None, (found.problem.message, found.problem.hint)))
+            yield Note(result.path.as_posix(), found.problem.line, f"lint {found.rule}", text, "warning")
 
 
 def _report(result: Result) -> None:

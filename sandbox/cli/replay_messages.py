@@ -2,10 +2,14 @@
 
 from __future__ import annotations
 
+import math
+from dataclasses import replace
 from typing import Literal
 
 from sandbox._printable import told
 from sandbox.cli.junit import JUnitCase
+from sandbox.errors import FileError
+from sandbox.replay.golden.divergence import Drift
 from sandbox.replay.golden.examine import Report
 
 SHOWN_DRIFTS = 3
@@ -18,7 +22,8 @@ def reasons(report: Report) -> list[str]:
     if report.verdict == "orphaned":
         return [f"its scene {told(report.scene)} is gone"]
     if report.verdict == "unusable":
-        return [problem.message for problem in report.problems]
+        bare = [replace(problem, excerpt="") for problem in report.problems]
+        return FileError(report.source, bare).lines()
     outcome = report.outcome
     if outcome is None:
         return []
@@ -30,10 +35,17 @@ def reasons(report: Report) -> list[str]:
     elif outcome.edits:
         lines.append("all steps came out the same nevertheless")
     if outcome.drifts:
-        ends = [f"{drift.body} by {drift.distance:.3g} m" for drift in outcome.drifts[:SHOWN_DRIFTS]]
-        lines.append(f"ended elsewhere: {', '.join(ends)}")
+        lines.append(f"ended elsewhere: {', '.join(map(_end, outcome.drifts[:SHOWN_DRIFTS]))}")
     lines += [report.where] if report.where else []
     return [*lines, *outcome.notes]
+
+
+def _end(drift: Drift) -> str:
+    """Where a body ended, against where it was recorded; its turn, if that is what puts it among the first."""
+    if drift.expected is None or drift.got is None:
+        return f"{drift.body}, which is {'gone' if drift.got is None else 'new'}"
+    turned = f" and {math.degrees(drift.turn):.3g} degrees" if drift.turn > drift.distance else ""
+    return f"{drift.body} by {drift.distance:.3g} m{turned}"
 
 
 def advice(report: Report) -> list[str]:

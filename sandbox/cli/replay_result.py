@@ -26,7 +26,8 @@ def _entry(report: Report) -> dict[str, Any]:
         "advice": advice(report),
     }
     if report.problems:
-        entry["problems"] = [asdict(problem) for problem in report.problems]
+        elsewhere = report.source if report.source != entry["path"] else ""
+        entry["problems"] = [asdict(problem) | {"source": problem.source or elsewhere} for problem in report.problems]
     if report.outcome is not None:
         found = asdict(report.outcome)
         entry |= {key: found[key] for key in ("steps", "divergence", "drifts", "edits", "notes")}

@@ -127,9 +127,10 @@ def _tell_others(work: Work, reports: Sequence[Report], seconds: float, other: A
     from sandbox.cli.junit import write_junit
     from sandbox.cli.last_failed import remember
     from sandbox.cli.replay_messages import junit_case
+    from sandbox.cli.replay_notes import replay_notes
 
     remember(reports)
-    annotate(reports, to_stderr=work.options.json)
+    annotate(replay_notes(reports), to_stderr=work.options.json)
     if work.options.junit is not None:
         write_junit(work.options.junit, "sandbox replay", [junit_case(report) for report in reports], seconds)
     if work.options.report is not None:

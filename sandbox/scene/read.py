@@ -60,6 +60,8 @@ def _shipped_names() -> list[str]:
 def _nearest_file(path: Path) -> str:
     if path.is_symlink():
         return "it is a link to what is not there"
+    if str(path) == "-":
+        return "what a pipe brings is /dev/stdin"
     shipped = _shipped_names() if path.parent == Path() and not path.suffix else []
     if path.name in shipped:
         return f"a scene of that name comes with the package, as {find_scene(path).as_posix()}"

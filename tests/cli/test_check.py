@@ -45,6 +45,29 @@ def test_a_failed_expectation_is_named_with_line_step_expected_and_got(cli: Call
     assert "1 scene: 0 hold, 1 failed" in done.out
 
 
+def test_github_shows_each_mistake_at_its_line(
+    cli: Callable, write_scene: Callable, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    write_scene("fails.scene.json", FAILS)
+    (tmp_path / "bad.scene.json").write_text('{\n"bodeis": []}')
+    assert "::error" not in cli("check", tmp_path).out
+    monkeypatch.setenv("GITHUB_ACTIONS", "true")
+    monkeypatch.setenv("GITHUB_WORKSPACE", str(tmp_path))
+    done = cli("check", tmp_path, "--require-expect")
+    notes = [line for line in done.out.splitlines() if line.startswith("::")]
+    assert notes[0] == (
+        '::error file=bad.scene.json,line=2,title=check unusable::unknown field "bodeis": did you mean "bodies"?'
+    )
+    assert re.fullmatch(
+        r"::error file=fails\.scene\.json,line=\d+,title=check failed::at step 10: .*; got: .*", notes[1]
+    )
+    assert len(notes) == 2
+    assert "::error" in cli("check", tmp_path, "--json").err
+    done = cli("lint", tmp_path / "bad.scene.json", write_scene("silent.scene.json"))
+    assert "::error file=bad.scene.json,line=2,title=lint::unknown field" in done.out
+    assert "::warning file=silent.scene.json,line=1,title=lint no-expect::the scene expects nothing" in done.out
+
+
 def test_a_file_that_cannot_be_loaded_does_not_keep_others_from_running(
     cli: Callable, write_scene: Callable, tmp_path: Path
 ) -> None:

@@ -390,6 +390,38 @@ class TestForMachines:
         assert sum(line.startswith("::error") for line in cli("replay", tmp_path).out.splitlines()) == 10
         assert json.loads(cli("replay", tmp_path, "--json").out)
 
+    def test_a_broken_scene_is_what_is_told_of(
+        self, cli: Callable, golden: Path, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+    ) -> None:
+        """Also where its recording is not there, and from the root of the repository."""
+        monkeypatch.setenv("GITHUB_ACTIONS", "true")
+        monkeypatch.setenv("GITHUB_WORKSPACE", str(tmp_path.parent))
+        (tmp_path / "b.scene.json").write_text('{"bodies": [')
+        done = cli("replay", "b.scene.json", "--junit", "junit.xml")
+        (note,) = [line for line in done.out.splitlines() if line.startswith("::error")]
+        told = 'the file ends too early: the "[" at 1:12 is not closed by a "]"'
+        assert note == f"::error file={tmp_path.name}/b.scene.json,line=1,title=replay unusable::{told}"
+        (entry,) = json.loads(cli("replay", "b.scene.json", "--json").out)["replays"]
+        assert entry["reasons"] == [f"b.scene.json:1:13: {told}"]
+        assert entry["problems"][0]["source"] == "b.scene.json"
+        error = ElementTree.parse(tmp_path / "junit.xml").getroot()[0][0][0]
+        assert f"b.scene.json:1:13: {told}" in (error.text or "")
+
+    def test_ends_are_told_by_what_they_are_sorted_by(
+        self, cli: Callable, golden: Path, write_scene: Callable, tmp_path: Path
+    ) -> None:
+        scene = json.loads((tmp_path / "a.scene.json").read_text())
+        crate = next(body for body in scene["bodies"] if body["id"] == "crate")
+
+        def told(**changes: Any) -> str:
+            others = [body for body in scene["bodies"] if body is not crate]
+            (tmp_path / "a.scene.json").write_text(json.dumps({**scene, "bodies": [*others, {**crate, **changes}]}))
+            return cli("replay", golden).out
+
+        assert re.search(r"ended elsewhere: crate by [\d.e-]+ m and [\d.]+ degrees", told(angle=90))
+        scene["expect"] = []
+        assert "ended elsewhere: crate, which is gone, box, which is new\n" in told(id="box", position=[3, 9])
+
 
 class TestDiff:
     def test_no_difference(self, cli: Callable, golden: Path) -> None:

@@ -23,6 +23,7 @@ def test_a_missing_file_is_told_with_the_nearest_name(tmp_path):
     assert told == f'{tmp_path}/piramid.scene.json: there is no such file: did you mean "pyramid.scene.json"?'
     for path in (tmp_path / "card-house.json", tmp_path / "none" / "x.json"):
         assert unreadable(path) == f"{path}: there is no such file"
+    assert unreadable("-") == "-: there is no such file: what a pipe brings is /dev/stdin"
 
 
 @pytest.mark.skipif(os.name != "posix", reason="links need rights elsewhere")
