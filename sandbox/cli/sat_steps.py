@@ -79,7 +79,9 @@ def _exit(pair: SatPair, table: SatTable) -> list[str]:
     lines += [*table_lines(pair, table), ""]
     row = table.stopped
     if row is None:
-        return [*lines, f"All {table.axis_count} axes were tested and none leaves a gap."]
+        count = table.axis_count
+        tested = f"All {count} axes were tested and none leaves a gap." if count > 1 else "It is the only axis: no gap."
+        return [*lines, tested]
     first = f"{plain(row.amin)} < {plain(row.bmax)}", row.amin < row.bmax
     second = f"{plain(row.bmin)} < {plain(row.amax)}", row.bmin < row.amax
     false = " and ".join(text for text, holds in (first, second) if not holds)

@@ -28,6 +28,7 @@ class SatRow:
 
     `owner` is whose edge gave the axis, or `corners` for the axis between the two nearest vertices of rounded shapes.
     `edge` is the author's number of the edge from 1, or of the vertex of a; `other` that of the vertex of b, else 0.
+    `centers` tells of these two vertices, of a and of b, whether they are the centre of a disc.
     `axis` is (-y, x) of the edge, in metres and not normalised; `amin` .. `bmax` are projections on it (m^2).
     `gap` tells whether the open intervals have nothing in common, `stopped` whether the test ended here.
     `separation` is the gap along the axis in metres; negative, it is the shortest way out along the axis,
@@ -47,6 +48,7 @@ class SatRow:
     separation: float
     way: int
     stopped: bool = False
+    centers: tuple[bool, bool] = (False, False)
 
     @property
     def length(self) -> float:
@@ -141,11 +143,13 @@ class _Whole:
         gap = core_gap >= 0 and core_gap * core_gap >= self.radii * self.radii * square
         apart = _root(Fraction(core_gap * core_gap, square * unit * unit))
         reach = self.shapes[0].radius, self.shapes[1].radius
+        to_corners = axis.owner == "corners"
         return SatRow(
             number, axis.owner, axis.edge, axis.other, (axis.x / unit, axis.y / unit),
             self._end(alow, -reach[0], length), self._end(ahigh, reach[0], length),
             self._end(blow, -reach[1], length), self._end(bhigh, reach[1], length),
             gap, math.copysign(apart, 1 if core_gap >= 0 else -1) - self.radii / unit, way,
+            centers=(to_corners and len(self.a) == 1, to_corners and len(self.b) == 1),
         )  # fmt: skip
 
     def _end(self, projection: int, radius: float, length: float) -> float:

@@ -10,7 +10,8 @@ from sandbox.render.number_text import metres
 def axis_name(row: SatRow, names: tuple[str, str]) -> str:
     """Where an axis comes from."""
     if row.owner == "corners":
-        return f"vertex {row.edge} to vertex {row.other}"
+        ends = zip((row.edge, row.other), row.centers, strict=True)
+        return " to ".join("centre" if center else f"vertex {number}" for number, center in ends)
     return f"edge {row.edge} of {names[0] if row.owner == 'a' else names[1]}"
 
 

@@ -67,6 +67,8 @@ class Plane:
         middle = _middle(shape.vertices)
         for vertex in shape.vertices:
             self.svg.circle(self.pixel(vertex), 3.2, f"{kind} dot")
+            if len(shape.vertices) == 1:
+                continue  # the centre of a disc
             label = str(shape.given.index(vertex) + 1)
             x, y = self._away(vertex, middle, 13.0 + shape.radius * self.scale)
             self.svg.text((x, y + 4.5), label, f"{kind} small strong number", "middle")

@@ -43,6 +43,29 @@ def test_the_other_order_turns_the_way_round(cli: Callable) -> None:
     assert "moves square by (0, -1) m" in cli("sat", "test-two", "--bodies", "triangle", "square").out
 
 
+@pytest.mark.parametrize(
+    ("a", "b", "name"),
+    [
+        ({"circle": 0.5}, {"circle": 0.5}, "centre to centre"),
+        ({"circle": 0.2}, {"box": [1, 1]}, "centre to vertex 4"),
+        ({"capsule": [[-1, 0], [0, 0]], "radius": 0.2}, {"circle": 0.8}, "vertex 2 to centre"),
+        ({"capsule": [[-1, 0], [0, 0]], "radius": 0.2}, {"capsule": [[0, 0], [1, 0]], "radius": 0.6},
+         "vertex 2 to vertex 1"),
+    ],
+)  # fmt: skip
+def test_discs_have_a_centre_and_no_vertices(
+    cli: Callable, write_scene: Callable, tmp_path: Path, a: dict, b: dict, name: str
+) -> None:
+    bodies = [{"id": "a", "shapes": [a]}, {"id": "b", "position": [0.55, -0.55], "shapes": [b]}]
+    picture = tmp_path / "out.svg"
+    done = cli("sat", write_scene("pair.scene.json", bodies=bodies), "--step-by-step", "--svg", picture)
+    assert f", from {name}\n" in done.out
+    assert ("It is the only axis: no gap." in done.out) == (name == "centre to centre")
+    classes = [text.get("class", "") for text in ElementTree.parse(picture).iter(f"{SVG}text")]
+    numbered = sum(words in ("a small strong number", "b small strong number") for words in classes)
+    assert numbered == sum({"circle": 0, "capsule": 2, "box": 4}[next(iter(shape))] for shape in (a, b))
+
+
 def test_a_later_step_is_another_table(cli: Callable) -> None:
     data = json.loads(cli("sat", "test-two", "--step", "60", "--json").out)
     assert data["step"] == 60

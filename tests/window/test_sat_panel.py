@@ -146,6 +146,27 @@ def test_the_outcome_covers_neither_the_arrow_of_the_edge_nor_other_words(
     assert all(right <= x0 or x1 <= left or bottom <= y0 or y1 <= top for x0, y0, x1, y1 in others)
 
 
+@pytest.mark.parametrize(("x", "y"), [(0.99, 0.0), (-0.99, 0.0), (0.0, 0.99), (0.7, 0.7), (0.99999999, 0.0)])
+def test_the_words_of_the_way_out_do_not_lie_on_its_arrow(x: float, y: float, canvas: Canvas, tmp_path: Path) -> None:
+    bodies = [
+        {"id": "a", "type": "static", "shapes": [{"circle": 0.5}]},
+        {"id": "b", "position": [x, y], "shapes": [{"circle": 0.5}]},
+    ]
+    path = tmp_path / "two.scene.json"
+    path.write_text(json.dumps({"bodies": bodies, "view": {"height": 4}}))
+    pick = f"key Space\nkey F4\nkey K\nclick @{-x / 2},{-y / 2}\nclick @{x * 1.3},{y * 1.3}\nwait 2\nkey Home\n"
+    app = run(canvas, tmp_path, str(path), "wait 2\n", pick)
+    workspace = app.screen.workspace
+    seen = app.panel.look(workspace)
+    assert seen is not None
+    canvas.gui.begin(LARGEST)
+    pen = Pen(workspace, Overlay(canvas.gui))
+    Drawing(pen, seen, sat_colors(DARK), workspace.viewport.camera).way_out()
+    canvas.gui.end()
+    (x0, y0, x1, y1), (left, top, right, bottom) = pen.taken
+    assert right <= x0 or x1 <= left or bottom <= y0 or y1 <= top
+
+
 @pytest.mark.slow
 def test_the_axis_is_turned_in_the_scene_and_clicks_into_place_at_edges(canvas: Canvas, tmp_path: Path) -> None:
     app = run(canvas, tmp_path, "test-two", "click sat.free\nwait 2\ndrag sat.handle to @13,9.55\nwait 2\n")

@@ -6,10 +6,13 @@ import math
 
 from sandbox.geometry.sat_rows import SatRow, Vec
 from sandbox.render.number_text import metres
+from sandbox.window.sat.pen import Anchor
 from sandbox.window.sat.sheet import Sheet, middle_of
 
 SHORTEST_ARROW, TOO_SHORT = 30.0, 9.0
 """A way out is drawn as long as the first, and says so, where it has fewer pixels than the second."""
+MUCH = 1000.0
+"""From so many times as long on, how many says nothing."""
 
 
 class OutcomeDrawing(Sheet):
@@ -37,8 +40,21 @@ class OutcomeDrawing(Sheet):
         end = start[0] + mtv[0] * stretch, start[1] + mtv[1] * stretch
         self.pen.arrow(start, end, self.colors.mtv, 3.5, 14.0)
         unit = (mtv[0] / depth, mtv[1] / depth) if depth else (0.0, 1.0)
-        words = metres(depth) if stretch <= 1.0 else f"{metres(depth)}, drawn {stretch:.3g} times as long"
-        self.pen.label(self.pen.away(end, unit, 16.0), words, self.colors.mtv, bold=True)
+        much = "not drawn to scale" if stretch > MUCH else f"drawn {stretch:.3g} times as long"
+        words = metres(depth) if stretch <= 1.0 else f"{metres(depth)}, {much}"
+        at, anchor = self._beside(end, unit, words)
+        self.pen.label(at, words, self.colors.mtv, anchor, bold=True)
+
+    def _beside(self, end: Vec, unit: Vec, words: str) -> tuple[Vec, Anchor]:
+        """A place for words at the head of an arrow, on which they are not to lie."""
+        sides: tuple[Anchor, Anchor] = ("left", "right") if unit[0] > 0.0 else ("right", "left")
+        places: list[tuple[Vec, Anchor]] = [
+            (self.pen.away(end, unit, 16.0), "middle"),
+            (self.pen.away(end, unit, 12.0), sides[0]),
+            (self.pen.away(end, (0.0, 1.0), 20.0), sides[1]),
+        ]
+        fitting = [place for place in places if self.pen.fits(place[0], words, place[1])] or places
+        return next((place for place in fitting if self.pen.is_free(place[0], words, place[1])), fitting[0])
 
     def _arrow_start(self) -> Vec:
         """The middle of b, or, where that is out of sight, of the contact."""

@@ -29,7 +29,7 @@ class ShapeDrawing(Sheet):
             if large < 24.0:
                 continue
             middle = middle_of(shape.vertices)
-            numbered = large >= NUMBERS_FROM and 3 <= len(shape.vertices) <= 16
+            numbered = large >= NUMBERS_FROM and 2 <= len(shape.vertices) <= 16
             for vertex in shape.vertices:
                 self.pen.dot(vertex, 2.6, color)
                 if numbered:

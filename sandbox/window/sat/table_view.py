@@ -190,7 +190,10 @@ def narrow(value: float) -> str:
 
 
 def _owner(row: SatRow) -> str:
-    return f"v{row.edge}-v{row.other}" if row.owner == "corners" else f"{row.owner} E{row.edge}"
+    if row.owner == "corners":
+        ends = zip((row.edge, row.other), row.centers, strict=True)
+        return "-".join("c" if center else f"v{number}" for number, center in ends)
+    return f"{row.owner} E{row.edge}"
 
 
 def _text(x: float, y: float, text: str, color: Color, right: bool, strength: float = 1.0) -> None:
