@@ -8,9 +8,13 @@ from imgui_bundle import imgui
 from sandbox.render.number_text import counted
 from sandbox.window.actions.registry import ACTIONS, MENUS
 from sandbox.window.at_rest import asleep
+from sandbox.window.fitting import fitting
 from sandbox.window.panels.panel import Panel
 from sandbox.window.widgets import mark
 from sandbox.window.workspace import Workspace
+
+READABLE_EMS = 10.0
+"""Width, in heights of the text, from which a title that is cut says something."""
 
 
 def draw_menu_bar(workspace: Workspace, panels: dict[str, Panel]) -> float:
@@ -54,8 +58,8 @@ def _draw_panel_items(workspace: Workspace, panels: dict[str, Panel]) -> None:
 
 
 def _draw_title(workspace: Workspace) -> None:
-    """The title in the middle, with what to watch for as its tooltip; figures at the right. What does not fit is left
-    out."""
+    """The title in the middle, with what to watch for as its tooltip; figures at the right. What has no room is left
+    out, and a long title cut."""
     world, title = workspace.session.world, workspace.session.title
     width, used = imgui.get_window_width(), imgui.get_cursor_pos_x()
     frozen = int(world.state.counters[0].frozen_count)
@@ -73,9 +77,10 @@ def _draw_title(workspace: Workspace) -> None:
         imgui.set_cursor_pos_x(right)
         imgui.text_disabled(text)
         mark("figures", "Who sleeps (and is drawn darker), bodies, contacts, time of a step, pictures a second")
-    size = imgui.calc_text_size(title).x
-    left = max((width - size) / 2, used + 16.0)
-    if left + size < right - 16.0:
-        imgui.set_cursor_pos_x(left)
-        imgui.text_unformatted(title)
-        mark("title", workspace.session.scene.about)
+    room, about = right - used - 32.0, workspace.session.scene.about
+    shown = fitting(title, room) if room >= READABLE_EMS * imgui.get_font_size() else title
+    size = imgui.calc_text_size(shown).x
+    if size <= room:
+        imgui.set_cursor_pos_x(min(max((width - size) / 2, used + 16.0), right - 16.0 - size))
+        imgui.text_unformatted(shown)
+        mark("title", about if shown == title else f"{title}\n\n{about}".rstrip())

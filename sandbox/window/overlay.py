@@ -10,6 +10,7 @@ from imgui_bundle import imgui
 
 from sandbox.render.label import Label
 from sandbox.render.theme import Color
+from sandbox.window.fitting import fitting
 from sandbox.window.gui import TEXT_SIZE, Gui
 
 HALO = ((-1, -1), (1, -1), (-1, 1), (1, 1), (0, 1), (0, -1), (1, 0), (-1, 0))
@@ -89,14 +90,7 @@ def packed_color(color: Color, opacity: float) -> int:
 
 def shorten(overlay: Overlay, text: str, room: float, size: float = TEXT_SIZE) -> str:
     """`text`, cut with an ellipsis where it would be wider than `room` pixels."""
-    if overlay.width(text, size) <= room:
-        return text
-    low, high = 0, len(text)
-    while low < high:
-        middle = (low + high + 1) // 2
-        fits = overlay.width(text[:middle].rstrip() + "…", size) <= room
-        low, high = (middle, high) if fits else (low, middle - 1)
-    return text[:low].rstrip() + "…"
+    return fitting(text, room, lambda words: overlay.width(words, size))
 
 
 def split_line(overlay: Overlay, text: str, room: float, size: float = TEXT_SIZE) -> tuple[str, str]:

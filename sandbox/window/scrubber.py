@@ -8,6 +8,7 @@ from sandbox.render.theme import Color
 from sandbox.window.gui_style import Palette, palette_of
 from sandbox.window.overlay import packed_color
 from sandbox.window.time_marks import TimeMark, Track
+from sandbox.window.tooltip import tooltip
 from sandbox.window.widgets import mark
 from sandbox.window.workspace import Workspace
 
@@ -67,7 +68,7 @@ def _tell(workspace: Workspace, track: Track, flags: list[TimeMark]) -> None:
     chosen = workspace.time_marks.chosen
     if chosen is not None:
         lines.append(f"chosen: steps {chosen[0]:,} to {chosen[1]:,}")
-    imgui.set_tooltip("\n".join([*lines, *([] if near else [HINT])]))
+    tooltip("\n".join([*lines, *([] if near else [HINT])]))
 
 
 def _paint(workspace: Workspace, track: Track, top: float, flags: list[TimeMark]) -> None:

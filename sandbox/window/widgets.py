@@ -9,6 +9,8 @@ from dataclasses import dataclass
 import numpy as np
 from imgui_bundle import imgui
 
+from sandbox.window.tooltip import tooltip
+
 Box = tuple[float, float, float, float]
 """Left, top, right, bottom in pixels of the window."""
 
@@ -45,7 +47,7 @@ def mark(name: str, tip: str = "") -> None:
     if not tip or name in _pressed:
         return
     if imgui.is_item_hovered(imgui.HoveredFlags_.for_tooltip | imgui.HoveredFlags_.allow_when_disabled):
-        imgui.set_tooltip(tip)
+        tooltip(tip)
 
 
 def button(name: str, label: str, tip: str = "", *, on: bool = False, enabled: bool = True, width: float = 0.0) -> bool:
@@ -205,7 +207,7 @@ def label(words: str, tip: str = "") -> None:
     imgui.align_text_to_frame_padding()
     imgui.text_disabled(words)
     if tip and imgui.is_item_hovered():
-        imgui.set_tooltip(tip)
+        tooltip(tip)
     if not is_narrow():
         imgui.same_line(imgui.get_font_size() * LABEL_EMS)
     imgui.set_next_item_width(-1.0)
@@ -230,7 +232,7 @@ def row(label: str, value: str, tip: str = "") -> None:
     imgui.text_unformatted(value)
     imgui.pop_text_wrap_pos()
     if tip and imgui.is_item_hovered():
-        imgui.set_tooltip(tip)
+        tooltip(tip)
 
 
 def wrapped(words: str) -> None:

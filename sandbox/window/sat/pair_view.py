@@ -9,6 +9,7 @@ from sandbox.geometry.shape_box import box_of
 from sandbox.render.camera import fit
 from sandbox.render.overlays.look import Look
 from sandbox.render.theme import Color
+from sandbox.window.fitting import fitting
 from sandbox.window.gui_style import palette_of
 from sandbox.window.overlay import packed_color
 from sandbox.window.sat.candidates import Candidates, candidates_of
@@ -71,7 +72,7 @@ class PairView:
         _chip(corner.x, corner.y + scaled(2.0), "ab"[side], color, palette_of(workspace.theme).panel)
         imgui.set_cursor_pos_x(left + scaled(25.0))
         imgui.align_text_to_frame_padding()
-        imgui.text_unformatted(_fitting(seen.names[side], wide - scaled(32.0)))
+        imgui.text_unformatted(fitting(seen.names[side], wide - scaled(32.0)))
         mark(f"sat.name.{'ab'[side]}", seen.names[side])
 
     @staticmethod
@@ -181,10 +182,3 @@ def _chip(x: float, y: float, letter: str, color: Color, ink: Color) -> None:
     pen.add_text(
         imgui.ImVec2(round(middle[0] - size.x / 2), round(middle[1] - 1.0 - size.y / 2)), packed_color(ink, 1.0), letter
     )
-
-
-def _fitting(name: str, room: float) -> str:
-    """A name, cut with an ellipsis where it is too wide."""
-    while len(name) > 3 and imgui.calc_text_size(name).x > room:
-        name = name[:-2] + "…"
-    return name

@@ -9,6 +9,7 @@ from sandbox.replay.recording.checkpoint import Checkpoint
 from sandbox.replay.recording.fingerprint import GROUPS
 from sandbox.window.comparer import Comparer
 from sandbox.window.gui_style import palette_of
+from sandbox.window.tooltip import tooltip
 from sandbox.window.widgets import wrapped
 from sandbox.window.workspace import Workspace
 
@@ -51,7 +52,7 @@ def draw_groups(workspace: Workspace, comparer: Comparer) -> None:
         imgui.table_next_row()
         _cell(group)
         if imgui.is_item_hovered():
-            imgui.set_tooltip(MEANINGS[group])
+            tooltip(MEANINGS[group])
         _cell(old)
         _cell(new, workspace if old != new else None)
     imgui.end_table()
@@ -82,14 +83,14 @@ def draw_fields(workspace: Workspace, comparer: Comparer) -> None:
         imgui.table_next_row()
         _cell(LABELS.get(row.field, row.field.replace("_", " ")))
         if imgui.is_item_hovered():
-            imgui.set_tooltip(f"{row.field}, {row.unit}: {row.help}")
+            tooltip(f"{row.field}, {row.unit}: {row.help}")
         for value in (row.expected, row.got):
             _cell("-" if value is None else f"{value:.4g}")
             if imgui.is_item_hovered() and value is not None:
-                imgui.set_tooltip(f"{value!r} {row.unit}")
+                tooltip(f"{value!r} {row.unit}")
         _cell(_difference(row), workspace if row.ulps else None)
         if imgui.is_item_hovered() and row.ulps:
-            imgui.set_tooltip(f"{row.difference!r} {row.unit}, {row.ulps:,} floats apart")
+            tooltip(f"{row.difference!r} {row.unit}, {row.ulps:,} floats apart")
     imgui.end_table()
 
 
@@ -116,7 +117,7 @@ def _checkpoint(workspace: Workspace, recorded: Checkpoint, here: Checkpoint | N
         differs = new is not None and new != old
         _cell(f"{new if differs else old:{'.3g' if times > 1.0 else '.4g'}}", workspace if differs else None)
         if differs and imgui.is_item_hovered():
-            imgui.set_tooltip(f"recorded {old:.6g}, here {new:.6g} ({unit})")
+            tooltip(f"recorded {old:.6g}, here {new:.6g} ({unit})")
 
 
 def _difference(row: FieldRow) -> str:

@@ -11,6 +11,7 @@ from imgui_bundle import imgui
 
 from sandbox.tables import Integers, plain
 from sandbox.window.editor import Editor
+from sandbox.window.fitting import fitting
 from sandbox.window.panels.inspector.bodies import describe, draw_mass, draw_motion
 from sandbox.window.panels.inspector.contacts import contacts_of, draw_contacts
 from sandbox.window.panels.inspector.finder import Finder
@@ -20,7 +21,7 @@ from sandbox.window.panels.inspector.surfaces import Surfaces
 from sandbox.window.panels.inspector.thrusters import draw_thrusters, thrusters_of
 from sandbox.window.panels.panel import Panel
 from sandbox.window.tools.region_handles import middle_of
-from sandbox.window.widgets import button, section
+from sandbox.window.widgets import button, mark, section
 from sandbox.window.workspace import Workspace
 
 
@@ -97,11 +98,15 @@ class InspectorPanel(Panel):
 def _draw_head(workspace: Workspace, name: str, kind: str, place: tuple[float, float] | None) -> None:
     """Name and kind, and at the right what brings it into view and what unselects it."""
     right = imgui.get_cursor_pos_x() + imgui.get_content_region_avail().x
+    width, gap = imgui.get_frame_height(), imgui.get_style().item_spacing.x
+    room = imgui.get_content_region_avail().x - imgui.calc_text_size(kind).x - 2.0 * width - 4.0 - 2.0 * gap
+    shown = fitting(name, room)
     imgui.align_text_to_frame_padding()
-    imgui.text_unformatted(name)
+    imgui.text_unformatted(shown)
+    mark("inspector.name", name if shown != name else "")
     imgui.same_line()
     imgui.text_disabled(kind)
-    width = imgui.get_frame_height()
+    mark("inspector.kind")
     imgui.same_line(right - 2.0 * width - 4.0)
     if button("inspector.center", icons.ICON_FA_CROSSHAIRS, "Bring it into the middle of the picture.",
               enabled=place is not None, width=width) and place is not None:  # fmt: skip
