@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+import textwrap
 
 from imgui_bundle import imgui
 
@@ -40,13 +41,15 @@ def draw_problem(workspace: Workspace, words: tuple[str, str], problem: str, mon
     imgui.text_unformatted(words[0])
     imgui.pop_style_color()
     imgui.push_font(mono, 0.0)  # type: ignore[arg-type]
-    lines, line = problem.splitlines(), imgui.get_text_line_height() + 1.0
+    columns = int((wide - 3 * MARGIN) / imgui.calc_text_size("0").x)
+    lines = [part for text in problem.splitlines() for part in broken(text, columns)]
+    line = imgui.get_text_line_height() + 1.0
     rest = 3.0 * imgui.get_frame_height_with_spacing()
     size = imgui.ImVec2(0.0, min(height * MOST_SHARE - rest, line * (len(lines) + 1.0)))
     imgui.begin_child("lines", size, imgui.ChildFlags_.none, imgui.WindowFlags_.horizontal_scrollbar)
     imgui.push_style_var(imgui.StyleVar_.item_spacing, imgui.ImVec2(0.0, 1.0))
     for text in lines:
-        _draw_line(text, wide)
+        imgui.text_unformatted(text)
     imgui.pop_style_var()
     imgui.end_child()
     imgui.pop_font()
@@ -59,11 +62,6 @@ def draw_problem(workspace: Workspace, words: tuple[str, str], problem: str, mon
     return closed
 
 
-def _draw_line(text: str, wide: float) -> None:
-    """A line of the message, broken where it is too long; one of the file is not."""
-    if _EXCERPT.match(text):
-        imgui.text_unformatted(text)
-        return
-    imgui.push_text_wrap_pos(wide - 3 * MARGIN)
-    imgui.text_unformatted(text)
-    imgui.pop_text_wrap_pos()
+def broken(text: str, columns: int) -> list[str]:
+    """A line of the message, between its words, in lines of so many letters at most; one of the file stays whole."""
+    return [text] if _EXCERPT.match(text) else textwrap.wrap(text, max(columns, 20)) or [""]

@@ -10,6 +10,7 @@ from imgui_bundle import imgui
 
 import sandbox
 from sandbox.window.play import PlayScreen
+from sandbox.window.problem_box import broken
 from sandbox.window.screen import Canvas
 from sandbox.window.widgets import places
 from tests.window.hands import play
@@ -54,3 +55,13 @@ def test_a_long_note_is_told_in_full(size: tuple[int, int], canvas: Canvas, tmp_
     title = SCENE.model_copy(update={"title": "Short"})
     play(canvas, title, tmp_path, "wait 4\n", at_once, "move title\nwait 10\n", look, size=size)
     assert seen[0][1] > 4 * 13.0
+
+
+def test_messages_are_broken_between_words_alone() -> None:
+    told = 'a.scene.json:6:45: a "]" is missing before this: the "[" at 6:40 is not closed by a "]"'
+    for columns in range(20, 90):
+        lines = broken(told, columns)
+        assert " ".join(lines) == told
+        assert max(map(len, lines)) <= columns
+    excerpt = "    6 | " + "x" * 200
+    assert broken(excerpt, 40) == [excerpt]
