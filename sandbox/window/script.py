@@ -32,7 +32,7 @@ import pygame
 from sandbox.errors import SandboxError
 from sandbox.window.keys import chord, split
 from sandbox.window.reel import Reel
-from sandbox.window.widgets import places
+from sandbox.window.widgets import hidden, places
 
 Locate = Callable[[tuple[float, float]], tuple[float, float]]
 """The pixel of the window over a point of the scene in metres."""
@@ -111,6 +111,8 @@ class Script:
         return SandboxError(f"{self.path}:{number}: {text}")
 
     def _place(self, number: int, text: str, locate: Locate) -> tuple[int, int]:
+        if text in hidden:
+            raise self._error(number, f"{text!r} is scrolled out of sight: turn the wheel over what it is in before")
         if text in places:
             left, top, right, bottom = places[text]
             return round((left + right) / 2), round((top + bottom) / 2)

@@ -27,6 +27,8 @@ EXACT = imgui.SliderFlags_.no_round_to_format
 
 places: dict[str, Box] = {}
 """Where each widget of the last picture lies, by name."""
+hidden: set[str] = set()
+"""Those of them that are scrolled out of sight, where a click would go to something else."""
 _pressed: set[str] = set()
 """Widgets that were pressed, until the pointer leaves them."""
 
@@ -34,12 +36,15 @@ _pressed: set[str] = set()
 def begin_picture() -> None:
     """Forget where the widgets of the picture before were."""
     places.clear()
+    hidden.clear()
 
 
 def mark(name: str, tip: str = "") -> None:
     """Note the place of the widget drawn last, and give it a tooltip, which a press closes until the pointer leaves."""
     low, high = imgui.get_item_rect_min(), imgui.get_item_rect_max()
     places[name] = (low.x, low.y, high.x, high.y)
+    if not imgui.is_item_visible():
+        hidden.add(name)
     if imgui.is_item_active():
         _pressed.add(name)
     elif name in _pressed and not imgui.is_item_hovered(imgui.HoveredFlags_.allow_when_disabled):

@@ -7,6 +7,7 @@ from pathlib import Path
 import pytest
 
 import sandbox
+from sandbox.errors import SandboxError
 from sandbox.window.play import PlayScreen
 from sandbox.window.screen import Canvas
 from sandbox.window.widgets import Scale, places
@@ -102,3 +103,20 @@ def test_the_help_takes_the_whole_window_where_the_scene_is_small(canvas: Canvas
     play(canvas, CRATES, tmp_path, "key F2\nwait 4\nkey F1\nwait 3\n", size=(400, 300))
     left, _, right, _ = places["help"]
     assert right - left > 300.0
+
+
+def test_hands_press_nothing_that_is_scrolled_out_of_sight(canvas: Canvas, tmp_path: Path) -> None:
+    with pytest.raises(SandboxError, match=r"'overlay\.trails' is scrolled out of sight"):
+        play(canvas, SCENE, tmp_path, "key F10\nwait 3\nclick overlay.trails\n", size=SIZE)
+
+    def look(screen: PlayScreen) -> None:
+        assert screen.workspace.overlays == ["trails"]
+
+    play(
+        canvas,
+        SCENE,
+        tmp_path,
+        "key F10\nwait 3\nwheel -60 overlay.outlines\nwait 3\nclick overlay.trails\n",
+        look,
+        size=SIZE,
+    )
