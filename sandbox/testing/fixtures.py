@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Protocol
 
@@ -126,9 +126,19 @@ def _file_of(wanted: Path, request: pytest.FixtureRequest) -> Path:
     shipped = find_scene(wanted) if wanted.name == str(wanted) else wanted
     file = next((path for path in (*found, shipped) if path.is_file()), None)
     if file is None:
-        folders = ", ".join(place.as_posix() for place in places if place.is_dir())
-        pytest.fail(f"no scene {str(wanted)!r} in {folders}, nor among those of the package", pytrace=False)
+        pytest.fail(_nowhere(str(wanted), [place for place in places if place.is_dir()]), pytrace=False)
     return file
+
+
+def _nowhere(wanted: str, folders: Sequence[Path]) -> str:
+    """What is said where no scene has that name, with the nearest that there is."""
+    from sandbox.resources import SCENE_SUFFIX, scene_name, shipped_scenes
+    from sandbox.scene.near_names import did_you_mean
+
+    there = [file for folder in folders for file in sorted(folder.glob(f"*{SCENE_SUFFIX}"))]
+    hint = did_you_mean(wanted, map(scene_name, (*there, *shipped_scenes())))
+    looked = ", ".join(folder.as_posix() for folder in folders)
+    return f"no scene {wanted!r} in {looked}, nor among those of the package{hint and f': {hint}'}"
 
 
 def _recording_of(what: Any, steps: int | None, commands: Iterable[Any], request: pytest.FixtureRequest) -> Any:

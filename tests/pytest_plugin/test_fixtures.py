@@ -45,6 +45,14 @@ class TestWorld:
         done.assert_outcomes(failed=1)
         done.stdout.fnmatch_lines([f"no scene 'nowhere' in {home.path.as_posix()}, nor *"])
 
+    @pytest.mark.parametrize(("wrong", "right"), [("crat", "crate"), ("piramid-10", "pyramid-10")])
+    def test_a_misspelt_name_gets_the_nearest(
+        self, home: pytest.Pytester, put: Callable, wrong: str, right: str
+    ) -> None:
+        put("scenes/crate.scene.json")
+        write_test(home, f"def test_it(world): world('{wrong}')")
+        home.runpytest().stdout.fnmatch_lines([f"no scene '{wrong}' in *: did you mean \"{right}\"?"])
+
     def test_a_bad_scene_shows_the_line_of_the_test_and_none_of_ours(self, home: pytest.Pytester) -> None:
         write_test(home, "def test_it(world):\n    world({'bodies': [{'id': 'a'}]})\n")
         done = home.runpytest()
