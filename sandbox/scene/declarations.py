@@ -12,7 +12,7 @@ from typing import Any
 
 from sandbox.scene.effort import Effort
 from sandbox.scene.finding import COPIES, TAKEN, Finding
-from sandbox.scene.near_names import nearest
+from sandbox.scene.other_words import nearest_word
 from sandbox.scene.plain import children, is_several
 from sandbox.scene.prefab import Prefab
 from sandbox.scene.quantities import is_name
@@ -104,4 +104,4 @@ def _is_named(entry: dict[str, Any], field: str) -> bool:
 def is_misspelt(field: str, home: dict[str, Any], known: Collection[str], left: Effort | None = None) -> bool:
     """Whether an object has a field that is not `known`, and looks like this one."""
     strays = islice((key for key in home if key not in known), _MOST)
-    return any(nearest(key, known, left) == field for key in strays)
+    return any(nearest_word(key, known, left) == field for key in strays)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 
+from sandbox.scene.effort import Effort
 from sandbox.scene.near_names import nearest
 
 OURS: Mapping[str, str] = {
@@ -11,7 +12,8 @@ OURS: Mapping[str, str] = {
     "angular_velocity": "omega spin angular_speed turn_rate",
     "velocity": "linear_velocity vel",
     "position": "pos location place translation x y",
-    "at": "offset position pos translation x y",
+    "near": "position location",
+    "at": "offset position pos translation x y time step",
     "shapes": "shape fixture fixtures collider colliders geometry",
     "fixed_rotation": "lock_rotation no_rotation",
     "bullet": "ccd continuous",
@@ -81,10 +83,10 @@ def meant_by(name: str, known: Iterable[str]) -> str | None:
     return next((ours for ours in wanted if ours in there), None)
 
 
-def nearest_word(name: str, known: Iterable[str]) -> str | None:
+def nearest_word(name: str, known: Iterable[str], left: Effort | None = None) -> str | None:
     """The one of the `known` names that is meant by `name`, or else most like it, if any is."""
     listed = list(known)
-    return None if name in listed else meant_by(name, listed) or nearest(name, listed)
+    return None if name in listed else meant_by(name, listed) or nearest(name, listed, left)
 
 
 def did_you_mean_word(name: str, known: Iterable[str]) -> str:

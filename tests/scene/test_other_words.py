@@ -34,6 +34,9 @@ def joined(**fields: Any) -> dict[str, Any]:
         ({"bodies": [{**CRATE, "type": "fixed"}]}, 'did you mean "static"?'),
         (joined(type="hinge", anchor=[0, 0]), 'did you mean "revolute"?'),
         (joined(pivot=[0, 0]), 'unknown field "pivot": did you mean "anchor"?'),
+        ({"bodies": [CRATE], "expect": [{"at": 9, "position": [0, 0], "of": "crate"}]},
+         'unknown field "position": did you mean "near"?'),
+        ({"bodies": [CRATE], "expect": [{"step": 9, "rests": "crate"}]}, 'unknown field "step": did you mean "at"?'),
         ({"rules": [{"on": {"time": 1}, "then": [{"win": "x"}]}]}, 'unknown field "then": did you mean "do"?'),
     ],
 )  # fmt: skip
@@ -41,7 +44,7 @@ def test_a_word_from_elsewhere_is_told_ours(scene: dict[str, Any], told: str) ->
     with pytest.raises(SceneError) as caught:
         loads_scene(json.dumps(scene))
     assert told in [f"{p.message}: {p.hint}" if "unknown" in p.message else p.hint for p in caught.value.problems]
-    assert all("is missing" not in problem.message for problem in caught.value.problems)
+    assert all("is missing" not in one.message and "needs a" not in one.message for one in caught.value.problems)
 
 
 def test_all_of_ours_are_words_of_the_format() -> None:
