@@ -190,6 +190,8 @@ class App:
         def play(session: Session) -> Screen:
             if isinstance(before, PlayScreen):
                 self._leave(before)
+            if self._folder is not None and loader.path.is_file():
+                note_recent(self._folder, loader.path)
             return self._play(session, leftover)
 
         return LoadingScreen(loader, play, lambda error: self._failed(error, before), before)
@@ -228,8 +230,6 @@ class App:
         self._front = next((name for name in kept.panels if name not in workspace.behind), "")
 
     def _load(self, path: Path, before: Screen | None = None) -> Screen:
-        if self._folder is not None and path.is_file():
-            note_recent(self._folder, path)
         start = self.options.start_step if path == self.options.scene else 0
         other = self.options.other if path == self.options.scene else None
         values = self.options.values if path == self.options.scene else {}

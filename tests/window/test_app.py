@@ -21,7 +21,9 @@ from sandbox.window.loader import Loader
 from sandbox.window.loading import LoadingScreen
 from sandbox.window.options import Options
 from sandbox.window.play import PlayScreen
+from sandbox.window.recent import recent_files
 from sandbox.window.screen import Canvas, Screen
+from sandbox.window.state_folder import state_folder
 from tests.window.hands import play
 from tests.window.test_session import SCENE
 
@@ -199,6 +201,8 @@ def test_a_dropped_file_is_opened_and_a_broken_one_told(
     hands.run()
     assert not hands.script
     assert "bad.scene.json:1:15" in told[0]
+    lately = [path.name for path in recent_files(state_folder())]
+    assert lately == ["dropped.scene.json", *([start] if start is not None else [])]  # and not what was refused
 
 
 def test_the_panel_in_front_is_so_again_after_panels_were_hidden(canvas: Canvas, tmp_path: Path) -> None:
