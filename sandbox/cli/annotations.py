@@ -9,6 +9,7 @@ from itertools import islice
 from pathlib import Path
 from typing import Literal, NamedTuple
 
+from sandbox._printable import printable, printable_lines
 from sandbox.errors import FileError
 
 MOST = 10
@@ -32,7 +33,7 @@ def annotate(notes: Iterable[Note], to_stderr: bool) -> None:
     for note in islice(notes, MOST):
         place = f",line={note.line}" if note.line else ""
         line = f"::{note.level} file={_property(_in_repository(note.file))}{place},title={_property(note.title)}"
-        print(f"{line}::{_data(note.text)}", file=sys.stderr if to_stderr else sys.stdout)
+        print(f"{line}::{_data(printable_lines(note.text))}", file=sys.stderr if to_stderr else sys.stdout)
 
 
 def notes_of_error(file: Path, error: Exception, title: str) -> Iterator[Note]:
@@ -54,8 +55,8 @@ def _in_repository(file: str) -> str:
 
 
 def _data(text: str) -> str:
-    return text.replace("%", "%25").replace("\r", "%0D").replace("\n", "%0A")
+    return text.replace("%", "%25").replace("\n", "%0A")
 
 
 def _property(text: str) -> str:
-    return _data(text).replace(":", "%3A").replace(",", "%2C")
+    return _data(printable(text)).replace(":", "%3A").replace(",", "%2C")

@@ -25,6 +25,13 @@ class Done:
     err: str
 
 
+@pytest.fixture(autouse=True)
+def _nowhere_special(monkeypatch: pytest.MonkeyPatch) -> None:
+    """What is printed is not that of GitHub's machines, whoever runs the tests."""
+    for name in ("GITHUB_ACTIONS", "GITHUB_WORKSPACE"):
+        monkeypatch.delenv(name, raising=False)
+
+
 @pytest.fixture
 def cli(capsys: pytest.CaptureFixture[str]) -> Callable[..., Done]:
     """Runs `sandbox ARGUMENTS...` in this process."""

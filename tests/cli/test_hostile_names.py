@@ -33,9 +33,10 @@ def is_clean(text: str) -> bool:
 
 @pytest.fixture(autouse=True)
 def here(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
-    """Everything happens in an empty folder."""
+    """Everything happens in an empty folder, on GitHub, where there are notes as well."""
     monkeypatch.chdir(tmp_path)
     monkeypatch.delenv("CI", raising=False)
+    monkeypatch.setenv("GITHUB_ACTIONS", "true")
     return tmp_path
 
 
