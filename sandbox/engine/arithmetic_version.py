@@ -107,7 +107,7 @@ NOTES: dict[int, str] = {
     "pressing on something immovable sinks until its contact bears the load",
     46: "contacts of jointed bodies are soft enough for what is joined to them, and stiffen up to 2.5 times; light "
     "bodies at which heavy jointed parts stand get finer substeps",
-    47: "what nothing but friction joints hold takes the usual substeps",
+    47: "what nothing but friction joints or slack ropes hold takes the usual substeps",
 }
 """For each number, what changed the bits. The next change appends a line; no line is ever taken away."""
 

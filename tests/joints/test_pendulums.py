@@ -150,6 +150,27 @@ def test_what_turns_about_its_centre_slides_or_rubs_takes_the_usual_substeps(nam
     assert int(world.scratch.solver.free_motions.substep_level[0]) == (FINE if finer else 0)
 
 
+@pytest.mark.parametrize(
+    ("fields", "finer"),
+    [
+        ({"length": 1.5}, True),
+        ({"lower": 0.0, "upper": 1.5}, True),
+        ({"lower": 0.0, "upper": 2.0}, False),
+        ({"lower": 1.5, "upper": 2.0}, True),
+        ({"length": 1.5, "hertz": 1.0}, True),
+    ],
+    ids=["rod", "taut", "slack", "strut", "spring"],
+)
+@pytest.mark.parametrize("first", [True, False], ids=["to the world", "from the world"])
+def test_what_flies_on_a_slack_rope_takes_the_usual_substeps(fields: dict[str, object], finer: bool, first: bool):
+    world_end, own_end = (1.0, 3.5), (1.0, 2.0)
+    ends = {"anchor_a": world_end, "anchor_b": own_end} if first else {"anchor_a": own_end, "anchor_b": world_end}
+    rope = joint("rope", "distance", *((None, "a") if first else ("a", None)), **ends, **fields)
+    world = jointed((body("a", box(0.8, 0.5), position=(1.0, 1.9), angle=0.3),), (rope,))
+    world.step()
+    assert int(world.scratch.solver.free_motions.substep_level[0]) == (FINE if finer else 0)
+
+
 def test_a_wheel_gains_speed_by_its_torque_over_its_inertia():
     drive = joint("pin", "revolute", None, "a", (0.0, 0.0), motor_speed=50.0, max_motor=0.25)
     world = jointed((body("a", box(0.8, 0.5)),), (drive,))
