@@ -166,7 +166,7 @@ def test_one_line_of_the_solver_is_found_by_replay(tmp_path: Path) -> None:
     """A copy of the package in which friction is a little weaker, run without the compiler."""
     package = Path(sandbox.__file__).parent
     shutil.copytree(package, tmp_path / "sandbox", ignore=shutil.ignore_patterns("__pycache__"))
-    source = tmp_path / "sandbox" / "engine" / "contact_solver" / "prepare.py"
+    source = tmp_path / "sandbox" / "engine" / "contact_solver" / "fill_lanes.py"
     text = source.read_text(encoding="utf-8")
     line = "store(v, cb.FRICTION, friction)\n"
     assert text.count(line) == 1
