@@ -1,7 +1,7 @@
 """Steps in one call: the parts of each (`step.py`) one after another, by the addresses of their machine code.
 
 In a scene of a few bodies, Python takes as long from one part to the next as all parts together, and from one step to
-the next a tenth of a step.
+the next a tenth of a step and more.
 """
 
 from __future__ import annotations

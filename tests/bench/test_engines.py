@@ -121,25 +121,31 @@ def test_rods_ropes_and_welds(engine: str) -> None:
     assert weld[:2] == pytest.approx((22.0, 0.0), abs=0.05)
 
 
-@every_engine
-def test_who_goes_and_comes(engine: str) -> None:
+def pose_after(engine: str, steps: int, name: str, done: dict[int, list[sandbox.Command]], scene: sandbox.Scene) -> Any:
+    """The pose of a body after so many steps, before which commands are done."""
     from sandbox.bench.drivers import DRIVERS, Driver
 
-    done = {1: [sandbox.Delete("old"), sandbox.Spawn({"id": "new", "shapes": DISC, "position": [5, 5]})],
-            2: [sandbox.SetVelocity("new", (7.0, 0.0), 1.0)]}  # fmt: skip
     DRIVERS["a test"] = Driver(commands=lambda step: done.get(step, ()))
     try:
-        scene = sandbox.Scene(bodies=[{"id": "old", "shapes": DISC}], gravity=[0, 0], settings={"sleeping": False})
         course = Course(scene, "a test")
         contestant = ENGINES[engine](course, False)
-        for step in range(3):
+        for step in range(steps):
             change = course.change(step)
             if change is not None:
                 contestant.apply(change)
             contestant.step()
     finally:
         del DRIVERS["a test"]
-    (new,) = contestant.poses(["new"])
+    (pose,) = contestant.poses([name])
+    return pose
+
+
+@every_engine
+def test_who_goes_and_comes(engine: str) -> None:
+    done = {1: [sandbox.Delete("old"), sandbox.Spawn({"id": "new", "shapes": DISC, "position": [5, 5]})],
+            2: [sandbox.SetVelocity("new", (7.0, 0.0), 1.0)]}  # fmt: skip
+    scene = sandbox.Scene(bodies=[{"id": "old", "shapes": DISC}], gravity=[0, 0], settings={"sleeping": False})
+    new = pose_after(engine, 3, "new", done, scene)
     assert (new.x, new.y, new.velocity_x, new.spin) == pytest.approx((5.0 + 7.0 / 60.0, 5.0, 7.0, 1.0))
 
 
@@ -169,22 +175,9 @@ def test_what_is_on_a_path_is_where_the_path_says(engine: str) -> None:
 
 @every_engine
 def test_who_is_on_a_path_may_go_and_come(engine: str) -> None:
-    from sandbox.bench.drivers import DRIVERS, Driver
-
     cart = {"type": "kinematic", "shapes": DISC, "path": {"to": [[4, 0]], "times": [1]}}
     done = {10: [sandbox.Delete("old"), sandbox.Spawn({"id": "new", **cart, "position": [0, 5]})]}
-    DRIVERS["a test"] = Driver(commands=lambda step: done.get(step, ()))
-    try:
-        course = Course(sandbox.Scene(bodies=[{"id": "old", **cart}]), "a test")
-        contestant = ENGINES[engine](course, False)
-        for step in range(40):
-            change = course.change(step)
-            if change is not None:
-                contestant.apply(change)
-            contestant.step()
-    finally:
-        del DRIVERS["a test"]
-    (new,) = contestant.poses(["new"])
+    new = pose_after(engine, 40, "new", done, sandbox.Scene(bodies=[{"id": "old", **cart}]))
     assert new[:2] == pytest.approx((2.0, 5.0), abs=1e-5)
 
 
