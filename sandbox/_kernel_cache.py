@@ -26,12 +26,17 @@ from sandbox._bounded_read import read_bytes
 from sandbox._shipped_code import shipped_folder
 
 _ROOMS = (
+    "_argument_words.py",
     "_jit.py",
     "_linking.py",
+    "_llvm_aliasing.py",
     "_llvm_atomics.py",
+    "_llvm_bundles.py",
     "_llvm_calls.py",
     "_llvm_prefetch.py",
+    "_llvm_rows.py",
     "_llvm_vectors.py",
+    "_llvm_words.py",
     "_machine_code.py",
     "_plain_vectors.py",
     "_atomics.py",
@@ -49,8 +54,11 @@ _ROOMS = (
 )
 WITHOUT_KERNELS = ("engine/commands/", "engine/rules/", "engine/views/")
 """Folders in these that have no kernels, nor anything that kernels read: whoever works on them compiles nothing."""
-_SETTINGS = ("CPU_NAME", "CPU_FEATURES", "ENABLE_AVX", "OPT", "LOOP_VECTORIZE", "SLP_VECTORIZE")
-"""Environment variables of numba, without `NUMBA_`, that change machine code."""
+_SETTINGS = (
+    *(f"NUMBA_{name}" for name in ("CPU_NAME", "CPU_FEATURES", "ENABLE_AVX", "OPT", "LOOP_VECTORIZE", "SLP_VECTORIZE")),
+    "SANDBOX_CHECK_ROWS",
+)
+"""Environment variables that change machine code."""
 _STALE_SECONDS = 14 * 24 * 3600
 _SUFFIX = ".code"
 _LARGEST = 1 << 28
@@ -209,7 +217,7 @@ def _target() -> tuple[Any, ...]:
         features = llvm.get_host_cpu_features().flatten()
     except RuntimeError:  # not known for this platform
         features = ""
-    settings = tuple(os.environ.get(f"NUMBA_{name}") for name in _SETTINGS)
+    settings = tuple(map(os.environ.get, _SETTINGS))
     return llvm.get_process_triple(), llvm.get_host_cpu_name(), features, llvmlite.__version__, settings
 
 

@@ -25,7 +25,9 @@ from numba.core.compiler_lock import global_compiler_lock
 from numba.core.compiler_machinery import PassManager, register_pass
 
 from sandbox._compiling import tell, weight
+from sandbox._llvm_aliasing import tell_types_apart
 from sandbox._llvm_bundles import by_address
+from sandbox._llvm_rows import rows_from_the_first
 from sandbox._llvm_vectors import teach_operators
 from sandbox._machine_code import ENTER, Returns
 from sandbox._way_in import way_in
@@ -62,6 +64,10 @@ teach_operators()
 
 class _Library(JITCodeLibrary):
     """The module of a kernel, with the modules of all that it calls, near and far, still to be linked in."""
+
+    def add_ir_module(self, module: Any) -> None:
+        tell_types_apart(module)
+        super().add_ir_module(module)
 
     def add_linking_library(self, library: Any) -> None:
         super().add_linking_library(library)
@@ -249,7 +255,7 @@ def machine_code(entry: Any, arguments: tuple[Any, ...], processor: str = "") ->
 
 def linked(entry: Any, arguments: tuple[Any, ...], processor: str = "") -> tuple[Returns, Any]:
     """What an entry point returns, and its library: the module of it and all the kernels below it."""
-    with global_compiler_lock, _garbage.kept(), _remembered_calls(), _exact_records():
+    with global_compiler_lock, _garbage.kept(), _remembered_calls(), _exact_records(), rows_from_the_first():
         kinds = tuple(by_address(entry.typeof_pyval(each)) for each in arguments)
         entry.compile(kinds)
         compiled = entry.overloads[kinds]

@@ -19,6 +19,7 @@ from numba.core.registry import cpu_target
 from numba.core.typing.templates import ConcreteTemplate, infer_global, signature
 from numba.extending import intrinsic, lower_builtin, models, register_model
 
+from sandbox._llvm_aliasing import of_any_type
 from sandbox._plain_vectors import WIDTH
 
 _FLOATS = ir.VectorType(ir.DoubleType(), WIDTH)
@@ -127,7 +128,7 @@ def _fields(context: Any, builder: Any, sig: Any, values: Any) -> Any:
 @intrinsic
 def _load_fields(_typing: Any, table: Any, _row: Any, _first: Any) -> Any:
     def lower(context: Any, builder: Any, sig: Any, values: Any) -> Any:
-        return builder.load(_fields(context, builder, sig, values), align=8)
+        return of_any_type(builder.module, builder.load(_fields(context, builder, sig, values), align=8))
 
     return _VECTOR(table, types.int64, types.int64), lower
 
@@ -135,7 +136,7 @@ def _load_fields(_typing: Any, table: Any, _row: Any, _first: Any) -> Any:
 @intrinsic
 def _store_fields(_typing: Any, table: Any, _row: Any, _first: Any, _vector: Any) -> Any:
     def lower(context: Any, builder: Any, sig: Any, values: Any) -> Any:
-        builder.store(values[3], _fields(context, builder, sig, values), align=8)
+        of_any_type(builder.module, builder.store(values[3], _fields(context, builder, sig, values), align=8))
         return context.get_dummy_value()
 
     return types.void(table, types.int64, types.int64, _VECTOR), lower

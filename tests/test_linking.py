@@ -3,13 +3,19 @@
 from __future__ import annotations
 
 import gc
+import os
+import subprocess
+import sys
+from pathlib import Path
 from typing import Any
 
+import numpy as np
 import pytest
 
 from sandbox import _jit
 from sandbox._jit import entry_point, kernel, kernel_argument
 from sandbox._machine_code import Version
+from sandbox._vectors import load_fields, store_fields
 from sandbox.tables import Field, Table
 
 pytestmark = pytest.mark.skipif(not _jit.jit_enabled(), reason="there is no machine code without the compiler")
@@ -143,3 +149,67 @@ def test_rows_of_a_table_are_not_taken_for_those_of_a_shorter_one(
         assert top(kernel_argument(table)) == 7
     assert len(first_of.dispatcher.overloads) == 2
     assert [str(each.message) for each in recwarn] == []
+
+
+def test_no_index_is_asked_whether_it_counts_from_the_end() -> None:
+    from sandbox import _linking
+
+    @entry_point
+    def number_of(numbers: Any, row: int) -> float:
+        return float(numbers[row])
+
+    text = str(_linking.linked(number_of.dispatcher, (np.arange(3.0), 1))[1]._final_module)
+    assert "getelementptr" in text
+    assert "icmp" not in text
+    assert "select" not in text
+
+
+@pytest.mark.slow(2)
+@pytest.mark.parametrize("row", [-1, 3])
+def test_rows_can_be_checked_by_name_of_the_kernel_that_asks(row: int, tmp_path: Path) -> None:
+    program = tmp_path / "program.py"
+    program.write_text(
+        "import sys, numpy as np\n"
+        "from sandbox._jit import entry_point\n"
+        "@entry_point\n"
+        "def number_of(numbers, row):\n"
+        "    return numbers[row]\n"
+        "print(number_of(np.arange(3.0), 2), flush=True)\n"
+        "print(number_of(np.arange(3.0), int(sys.argv[1])))\n"
+    )
+    root = Path(__file__).parents[1]
+    given = {"SANDBOX_CHECK_ROWS": "1", "SANDBOX_CACHE_DIR": str(tmp_path / "cache"), "PYTHONPATH": str(root)}
+    command = [sys.executable, str(program), str(row)]
+    done = subprocess.run(command, env=os.environ | given, capture_output=True, text=True)
+    assert done.stdout == "2.0\n"
+    assert "there is no such row; number_of" in done.stderr
+    assert done.returncode != 0
+
+
+TABLE = Table("row", (*(Field(name, "-", "") for name in "abc"), Field("count", "-", "", "i8")))
+
+
+def test_what_is_stored_of_one_type_is_not_read_again_as_another() -> None:
+    from sandbox import _linking
+
+    @entry_point
+    def count_twice(rows: Any, numbers: Any) -> int:
+        count = rows[0].count
+        numbers[0] = 3.0
+        return int(count + rows[0].count)
+
+    table = kernel_argument(TABLE.zeros(2))
+    text = str(_linking.linked(count_twice.dispatcher, (table, np.zeros(1)))[1]._final_module)
+    assert text.count("= load i64") == 1
+
+
+def test_fields_that_are_stored_side_by_side_may_be_of_any_type() -> None:
+    @entry_point
+    def copied(rows: Any, one: int, other: int) -> int:
+        before = rows[one].count
+        store_fields(rows, other, 0, load_fields(rows, 1, 0))
+        return int(rows[one].count - before)
+
+    table = TABLE.zeros(2)
+    table.count = [3, 10]
+    assert copied(kernel_argument(table), 0, 0) == 7

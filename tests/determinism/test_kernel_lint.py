@@ -51,6 +51,8 @@ def faults(function: ast.FunctionDef) -> list[str]:
             found.append(f"line {node.lineno}: {type(node.op).__name__}")
         if isinstance(node, FORBIDDEN_NODES):
             found.append(f"line {node.lineno}: {type(node).__name__}")
+        if isinstance(node, ast.Subscript) and isinstance(getattr(node.slice, "op", None), ast.USub):
+            found.append(f"line {node.lineno}: a row from the end")
     return found
 
 
@@ -86,6 +88,8 @@ def test_there_are_kernels_to_look_at():
         "[k for k in x]",
         "x.dot(y)",
         "round(x)",
+        "x[-1]",
+        "x[-y]",
     ],
 )
 def test_the_lint_finds_what_it_is_for(line):
@@ -93,7 +97,9 @@ def test_the_lint_finds_what_it_is_for(line):
     assert faults(function)
 
 
-@pytest.mark.parametrize("line", ["math.sqrt(x)", "math.floor(x)", "abs(x)", "x if x < y else y", "math.frexp(x)[1]"])
+@pytest.mark.parametrize(
+    "line", ["math.sqrt(x)", "math.floor(x)", "abs(x)", "x if x < y else y", "math.frexp(x)[1]", "x[y - 1]"]
+)
 def test_the_lint_lets_exact_arithmetic_pass(line):
     (function,) = kernels(f"@entry_point\ndef f(x, y):\n    return {line}\n")
     assert not faults(function)

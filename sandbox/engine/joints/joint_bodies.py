@@ -21,7 +21,8 @@ def load_members(work: JointWork, bodies: Records, solver: SolverBodies) -> None
 
     The world is put to rest: an impulse that is not a number would leave it without a velocity.
     """
-    world = solver.motions[solver.motions.shape[0] - 1]
+    work.members[0].body = solver.motions.shape[0] - 1
+    world = solver.motions[work.members[0].body]
     world.velocity_x = world.velocity_y = world.angular_velocity = 0.0
     for p in range(work.parts.shape[0]):
         work.parts[p].awake = 0

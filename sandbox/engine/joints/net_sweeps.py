@@ -31,23 +31,23 @@ from sandbox.tables import Records
 
 
 @kernel
-def load_nets(work: JointWork, motions: Records, workers: Workers) -> None:
+def load_nets(work: JointWork, workers: Workers) -> None:
     """Fill the blocks for a step: bodies, anchors, masses, and the impulses to start from."""
     first, end = first_part(workers, LOAD_NETS, 0, work.side_by_side.blocks.shape[0])
     while first < end:
-        load_net_blocks(work, motions, first, end)
+        load_net_blocks(work, first, end)
         first, end = next_part(workers, first, end)
 
 
 @kernel
-def load_net_blocks(work: JointWork, motions: Records, first: int, end: int) -> None:
+def load_net_blocks(work: JointWork, first: int, end: int) -> None:
     """The same for the blocks first..end-1."""
     h = work.side_by_side
     for n in range(first, end):
         block = h.blocks[n]
         v = h.lanes[block.place :]
         share = substep_share(work.parts[_part_of(work, h.joints[block.first])].level)
-        _note_bodies(work, block, motions.shape[0] - 1)
+        _note_bodies(work, block)
         for k in range(block.count):
             each = h.joints[block.first + k]
             joint = work.joints[each.joint]
@@ -74,32 +74,17 @@ def load_net_blocks(work: JointWork, motions: Records, first: int, end: int) -> 
 
 
 @inlined_kernel
-def _note_bodies(work: JointWork, block: Records, world: int) -> None:
-    """Note the bodies of the lanes of a block; `world` is the row of motions for what is no body."""
+def _note_bodies(work: JointWork, block: Records) -> None:
+    """Note the bodies of the lanes of a block."""
     joints = work.side_by_side.joints
     one = joints[block.first]
     two = joints[block.first + 1] if block.count > 1 else one
     three = joints[block.first + 2] if block.count > 2 else one
     four = joints[block.first + 3] if block.count > 3 else one
     m = work.members
-    a = (
-        _row_of(m[one.member_a], world),
-        _row_of(m[two.member_a], world),
-        _row_of(m[three.member_a], world),
-        _row_of(m[four.member_a], world),
-    )
-    b = (
-        _row_of(m[one.member_b], world),
-        _row_of(m[two.member_b], world),
-        _row_of(m[three.member_b], world),
-        _row_of(m[four.member_b], world),
-    )
+    a = (m[one.member_a].body, m[two.member_a].body, m[three.member_a].body, m[four.member_a].body)
+    b = (m[one.member_b].body, m[two.member_b].body, m[three.member_b].body, m[four.member_b].body)
     note_rows(block, PairRows(a, b))
-
-
-@inlined_kernel
-def _row_of(member: Records, world: int) -> int:
-    return int(member.body if member.body >= 0 else world)
 
 
 @kernel

@@ -50,7 +50,7 @@ def do_nets(state: StateTables, solver: SolverBodies, joints: JointWork, workers
     stage = int(workers.numbers[STAGE])
     if stage == LOAD:
         read_impulses(joints)
-        load_nets(joints, solver.motions, workers)
+        load_nets(joints, workers)
     elif stage == REPORT:
         report_nets(joints, seconds, state.counters[0], workers)
         report_swept(joints, seconds, state.counters[0])
@@ -77,7 +77,7 @@ def _help(state: StateTables, solver: SolverBodies, joints: JointWork, workers: 
     motions = solver.motions
     task = workers.words[TASK]
     if task == LOAD_NETS:
-        load_net_blocks(joints, motions, first, end)
+        load_net_blocks(joints, first, end)
     elif task == SWEEP_NETS:
         soft = SoftJoint(n[PUSH], n[MOST], n[GIVE], n[SECONDS])
         sweep_net_blocks(joints.side_by_side, motions, first, end, soft)

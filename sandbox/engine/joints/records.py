@@ -15,7 +15,7 @@ from sandbox.tables import Field, Integers, Records, Table
 MEMBER = Table(
     "member",
     (
-        Field("body", "-", "index of the body; -1, the last row of motions, for the world, which is member 0", "i8"),
+        Field("body", "-", "index of the body; of the world, which is member 0, the last row of motions", "i8"),
         Field("part", "-", "part it belongs to; -1 for what joints cannot move", "i8"),
         Field("inverse_mass", "1/kg", ""),
         Field("inverse_inertia", "1/(kg m^2)", ""),
