@@ -6,11 +6,13 @@ https://numba.readthedocs.io/en/stable/developer/architecture.html
 
 from __future__ import annotations
 
+from functools import reduce
 from typing import Any
 
 from llvmlite import ir
 from numba.core import types as _types
-from numba.np.arrayobj import get_itemsize, populate_array
+from numba.core.cgutils import pack_array
+from numba.np.arrayobj import get_itemsize
 
 types: Any = _types
 WORD, DOUBLE = ir.IntType(64), ir.DoubleType()
@@ -83,11 +85,18 @@ class Words:
 
     def _array(self, kind: Any) -> Any:
         context, builder = self._context, self._builder
-        array = context.make_array(kind)(context, builder)
-        data = self._load(array.data.type)
+        model = context.data_model_manager[kind]
+        members = dict(zip(model._fields, model.get_value_type().elements, strict=True))
+        data = self._load(members["data"])
         shape, strides = ([self._load(WORD) for _ in range(kind.ndim)] for _ in range(2))
-        populate_array(array, data, shape, strides, context.get_constant(types.intp, get_itemsize(context, kind)), None)
-        return array._getvalue()
+        nothing = {name: ir.Constant(members[name], None) for name in ("meminfo", "parent")}
+        count = reduce(builder.mul, shape)
+        sizes = {"nitems": count, "itemsize": WORD(get_itemsize(context, kind))}
+        lengths = {"shape": pack_array(builder, shape), "strides": pack_array(builder, strides)}
+        array = ir.Constant(model.get_value_type(), ir.Undefined)
+        for name, value in (nothing | sizes | lengths | {"data": data}).items():
+            array = builder.insert_value(array, value, model.get_field_position(name))
+        return array
 
     def _number(self, kind: Any) -> Any:
         builder = self._builder
