@@ -24,6 +24,7 @@ def test_the_same_code_does_the_same(cli: Callable, history: History, golden: Pa
 
 @pytest.mark.slow(seconds=10)
 def test_one_line_of_the_solver_is_named_by_step_body_and_number(cli: Callable, history: History, golden: Path) -> None:
+    """The two numbers are those of the two runs, as a run with that code by itself gives them."""
     done = cli("replay", golden, "--against", "HEAD", "--engine", history.root, "--no-jit", "--json")
     assert done.code == 1, done.err
     (entry,) = json.loads(done.out)["replays"]
@@ -37,22 +38,14 @@ def test_one_line_of_the_solver_is_named_by_step_body_and_number(cli: Callable, 
     assert any(history.commits[-1][:12] in note for note in entry["notes"])
     growth = [row["distance"] for row in parted["growth"]]
     assert growth[-1] > 0.0
-
-
-@pytest.mark.slow(seconds=10)
-def test_what_is_expected_is_what_that_revision_does(cli: Callable, history: History, golden: Path) -> None:
-    """The two numbers are those of the two runs, as a run with that code by itself gives them."""
-    done = cli("replay", golden, "--against", "HEAD", "--engine", history.root, "--no-jit", "--json")
-    (entry,) = json.loads(done.out)["replays"]
-    detail, step = entry["divergence"]["detail"], entry["divergence"]["step"]
-    run = run_of(Recording.load(golden))
+    detail, step, run = parted["detail"], parted["step"], run_of(Recording.load(golden))
     table = {"contact": "contacts", "body": "bodies"}[detail["table"]]
-    values = [
+    expected, got = (
         set(trace(root, run, [step], no_jit=True).arrays[f"{step}.{table}"][detail["field"]].tolist())
         for root in (history.root, HERE)
-    ]
-    assert detail["expected"] in values[0] - values[1]
-    assert detail["got"] in values[1] - values[0]
+    )
+    assert detail["expected"] in expected - got
+    assert detail["got"] in got - expected
 
 
 def test_a_revision_that_cannot_run_says_why(cli: Callable, history: History, golden: Path) -> None:
