@@ -52,21 +52,22 @@ names = st.sampled_from
 
 def inside(outline: Points, places: NDArray[np.float64]) -> NDArray[np.bool_]:
     """Which places lie within an outline: a ray to the right crosses it an odd number of times."""
-    x, y = places.T
-    odd = np.zeros(len(places), np.bool_)
-    for (ax, ay), (bx, by) in zip(outline, [*outline[1:], outline[0]], strict=True):
-        if ay != by:
-            odd ^= ((ay > y) != (by > y)) & (x < ax + (y - ay) * (bx - ax) / (by - ay))
+    starts, ends = np.array(outline), np.roll(outline, -1, axis=0)
+    x, y = places[:, :1], places[:, 1:]
+    rise = np.where(starts[:, 1] == ends[:, 1], 1.0, ends[:, 1] - starts[:, 1])  # a level link is not crossed
+    reached = x < starts[:, 0] + (y - starts[:, 1]) * (ends[:, 0] - starts[:, 0]) / rise
+    crossed = ((starts[:, 1] > y) != (ends[:, 1] > y)) & reached
+    odd: NDArray[np.bool_] = crossed.sum(axis=1) % 2 == 1
     return odd
 
 
 def gaps(outline: Points, places: NDArray[np.float64]) -> NDArray[np.float64]:
     """Distance of places from an outline."""
-    nearest = np.full(len(places), np.inf)
-    for start, end in zip(np.array(outline), np.roll(outline, -1, axis=0), strict=True):
-        along = end - start
-        share = np.clip((places - start) @ along / (along @ along), 0.0, 1.0)
-        nearest = np.minimum(nearest, np.hypot(*(places - start - share[:, None] * along).T))
+    starts = np.array(outline)
+    along, away = np.roll(outline, -1, axis=0) - starts, places[:, None] - starts
+    share = np.clip((away * along).sum(axis=2) / (along * along).sum(axis=1), 0.0, 1.0)
+    apart = away - share[:, :, None] * along
+    nearest: NDArray[np.float64] = np.hypot(apart[:, :, 0], apart[:, :, 1]).min(axis=1)
     return nearest
 
 
