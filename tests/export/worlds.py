@@ -9,6 +9,7 @@ import numpy as np
 
 from sandbox import Scene, SceneNow, World, load_scene, scene_of
 from sandbox.engine.active.wake import wake_all
+from sandbox.world.field_records import NEVER
 
 NUMBERS = ("center_x", "center_y", "velocity_x", "velocity_y", "angular_velocity", "mass", "inertia")
 
@@ -27,6 +28,10 @@ def forgetful(world: World) -> World:
     """The same world, awake, without a memory of steps, contacts, joints and hands: what a scene cannot hold either."""
     twin = copy.copy(world)
     state = twin.state
+    for table in (state.regions, state.thrusters):  # what acts at its time does so by a clock that begins anew
+        table.start_step = np.maximum(table.start_step - world.step_count, 0)
+        ends = np.maximum(table.end_step - world.step_count, 0)
+        table.end_step = np.where(table.end_step == NEVER, NEVER, ends)
     for counter in ("step_count", "contact_count", "substep_watch", "substep_levels", "still"):
         state.counters[counter] = 0
     for k in range(5):
