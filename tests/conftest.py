@@ -19,14 +19,17 @@ if sys.dont_write_bytecode:
     os.environ["PYTHONPYCACHEPREFIX"] = sys.pycache_prefix = str(cache_root() / "bytecode")
     sys.dont_write_bytecode = False
 
-# `quick` by default, `deep` in CI, `thorough` by --hypothesis-profile=thorough: a property test looks at this share, in
-# percent, of what it asks for with `tests.examples`. The first two look at the same examples in every run, so that a
-# red run is due to a change and not to chance. No time limits, for the first call of a kernel compiles it. Shapes are
-# drawn at random and many do not meet, and CI machines are slow: neither says anything about the code.
+# `quick` by default, `further` in CI after it, `thorough` by --hypothesis-profile=thorough: a property test looks at
+# this share, in percent, of what it asks for with `tests.examples`. `quick` looks at the same examples in every run, so
+# that a red run is due to a change and not to chance. So does `further` with a seed, as .ci/run gives it: at others.
+# No time limits, for the first call of a kernel compiles it. Shapes are drawn at random and many do not meet, and CI
+# machines are slow: neither says anything about the code.
 checks = [HealthCheck.filter_too_much, HealthCheck.too_slow]
-for profile, share in (("quick", 5), ("deep", 10), ("thorough", 100)):
+for profile, share, derandomize, database in (
+    ("quick", 5, True, None), ("further", 5, False, None), ("thorough", 100, False, settings.default.database),
+):  # fmt: skip
     settings.register_profile(
-        profile, max_examples=share, derandomize=profile != "thorough", deadline=None, print_blob=True,
+        profile, max_examples=share, derandomize=derandomize, database=database, deadline=None, print_blob=True,
         suppress_health_check=checks,
     )  # fmt: skip
 settings.load_profile("quick")
