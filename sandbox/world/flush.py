@@ -19,7 +19,7 @@ from sandbox.world.records import BODY, ONE_WAY, SEAM, SEAMED, STATIC
 from sandbox.world.runs import run_starts, runs
 from sandbox.world.tile_corners import sides_at_corners
 from sandbox.world.tile_edges import shown_edges
-from sandbox.world.tile_ends import at_vertices
+from sandbox.world.tile_ends import at_vertices, with_round_ends
 from sandbox.world.tile_outlines import Corners, Outlines, Tiles
 from sandbox.world.tile_pairs import count_meeting, count_near, meeting_tiles
 
@@ -127,7 +127,7 @@ def _join(bodies: Records, shapes: Records, seams: Records, outlines: Outlines, 
     if len(one) == 0:
         return
     corners, first, last = shown_edges(outlines, one, two)
-    before, after = sides_at_corners(outlines, one, two, first, last)
+    before, after = with_round_ends(outlines, one, two, *sides_at_corners(outlines, one, two, first, last))
     changed = (first != 0.0) | (last != 1.0)
     changed |= _differ(outlines, before, outlines.before[corners]) | _differ(outlines, after, corners)
     tiles = np.unique(one)

@@ -18,7 +18,7 @@ _MOST_AROUND = 64
 """Where more tiles than this lie around a corner, it is not looked for who goes on there: each would be held against
 all, and what so many make up is no outline that a body could catch on.
 """
-_NONE = -1
+NONE = -1
 """In the place of an edge: no side of the whole ends or begins there."""
 
 
@@ -34,7 +34,7 @@ def sides_at_corners(
     corners, own = outlines.corners(tiles), np.repeat(tiles, outlines.counts[tiles])
     ends = last[np.searchsorted(corners, outlines.before[corners])] == 1.0
     begins = (first == 0.0) & (last > 0.0)
-    arriving, leaving = np.where(ends, outlines.before[corners], _NONE), np.where(begins, corners, _NONE)
+    arriving, leaving = np.where(ends, outlines.before[corners], NONE), np.where(begins, corners, NONE)
     beside_lines = np.isin(own, one[outlines.flat[two]])
     asking = ~(ends & begins) | beside_lines
     near = _Company.of(outlines, (corners, own, np.flatnonzero(asking)), one, two)
@@ -45,9 +45,9 @@ def sides_at_corners(
     if beside_lines.any():
         search.branch_off(np.flatnonzero(ends & begins), arriving, leaving)
     search.go_on(arriving, leaving)
-    before = np.where(arriving == _NONE, leaving, arriving)
-    after = np.where(leaving == _NONE, arriving, leaving)
-    return np.where(buried, _NONE, before), np.where(buried, _NONE, after)
+    before = np.where(arriving == NONE, leaving, arriving)
+    after = np.where(leaving == NONE, arriving, leaving)
+    return np.where(buried, NONE, before), np.where(buried, NONE, after)
 
 
 @dataclass(frozen=True)
@@ -90,11 +90,11 @@ class _Search:
         found, first, counts = np.unique(touching.places, return_index=True, return_counts=True)
         for k in range(int(counts.max(initial=0))):
             places, tiles = found[counts > k], touching.tiles[first[counts > k] + k]
-            lacking = (arriving[places] == _NONE) | (leaving[places] == _NONE)
+            lacking = (arriving[places] == NONE) | (leaving[places] == NONE)
             places, tiles = places[lacking], tiles[lacking]
             to, off = self._through(places, tiles)
             for edges, ahead, sides in ((to, -1.0, arriving), (off, 1.0, leaving)):
-                asked = (sides[places] == _NONE) & (edges != _NONE)
+                asked = (sides[places] == NONE) & (edges != NONE)
                 free = self._is_free(places[asked], tiles[asked], edges[asked], ahead)
                 sides[places[asked][free]] = edges[asked][free]
 
@@ -108,7 +108,7 @@ class _Search:
         to, off = self._through(places, tiles)
         parts = []
         for edges, ahead, before, after in ((to, -1.0, to, leaving[places]), (off, 1.0, arriving[places], off)):
-            bend, ends = outlines.bend(before, after), np.flatnonzero(edges != _NONE)
+            bend, ends = outlines.bend(before, after), np.flatnonzero(edges != NONE)
             free = np.zeros(len(places), np.bool_)
             free[ends] = self._is_free(places[ends], tiles[ends], edges[ends], ahead)
             parts.append(np.where(free, bend, -np.inf))
@@ -124,20 +124,20 @@ class _Search:
         outlines, corners = self.outlines, self.corners[places]
         x, y = outlines.x[corners], outlines.y[corners]
         highest, best = np.full(len(tiles), -np.inf), outlines.starts[tiles]
-        to, off = np.full(len(tiles), _NONE), np.full(len(tiles), _NONE)
+        to, off = np.full(len(tiles), NONE), np.full(len(tiles), NONE)
         for k in range(int(outlines.counts[tiles].max(initial=0))):
             rows = np.flatnonzero(outlines.counts[tiles] > k)
             edge = outlines.starts[tiles[rows]] + k
             across, up = outlines.x[edge] - x[rows], outlines.y[edge] - y[rows]
             here = np.sqrt(across * across + up * up) <= 2.0 * NEAR
             for found, side in ((to, outlines.before[edge]), (off, edge)):
-                fits = here & (found[rows] == _NONE) & (outlines.lengths[side] > 0.0)
+                fits = here & (found[rows] == NONE) & (outlines.lengths[side] > 0.0)
                 found[rows[fits]] = side[fits]
             height = outlines.height(x[rows], y[rows], edge)
             higher = height > highest[rows]
             highest[rows[higher]], best[rows[higher]] = height[higher], edge[higher]
-        best = np.where(outlines.flat[tiles], _NONE, best)
-        between = (to == _NONE) & (off == _NONE)
+        best = np.where(outlines.flat[tiles], NONE, best)
+        between = (to == NONE) & (off == NONE)
         return np.where(between, best, to), np.where(between, best, off)
 
     def _is_free(self, places: Integers, tiles: Tiles, edges: Corners, ahead: float) -> NDArray[np.bool_]:

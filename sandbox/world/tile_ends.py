@@ -6,11 +6,47 @@ import numpy as np
 
 from sandbox.tables import Floats
 from sandbox.world.runs import run_starts, runs
+from sandbox.world.tile_corners import NONE
+from sandbox.world.tile_edges import NEAR
 from sandbox.world.tile_outlines import Corners, Outlines, Tiles
 
 Found = tuple[Corners, Corners, Floats, Floats]
 """The edges before and after corners, as `sides_at_corners` has them, and from where to where the edges from there on
 show."""
+_ON_A_QUARTER = 8
+"""At so many places less one a quarter of a round end is asked whether it lies within other tiles."""
+
+
+def with_round_ends(
+    outlines: Outlines, one: Tiles, two: Tiles, before: Corners, after: Corners
+) -> tuple[Corners, Corners]:
+    """The edges before and after the corners of the tiles in `one`; those of a round line its own where it juts out.
+
+    A corner of its outline may lie within the whole and the quarter of the round end beyond it not, or in part: then
+    all of that leads out.
+    """
+    tiles = np.unique(one)
+    corners, own = outlines.corners(tiles), np.repeat(tiles, outlines.counts[tiles])
+    asking = np.flatnonzero((before == NONE) & (outlines.vertices[own] == 2) & ~outlines.flat[own])
+    if not len(asking):
+        return before, after
+    corner = corners[asking]
+    arriving, at_side = outlines.before[corner], (corner - outlines.starts[own[asking]]) % 2 == 0
+    side, radius = np.where(at_side, corner, arriving), 0.5 * outlines.lengths[np.where(at_side, arriving, corner)]
+    starts = np.searchsorted(one, own[asking])
+    counts = np.searchsorted(one, own[asking], side="right") - starts
+    asked, others = np.repeat(np.arange(len(asking)), counts), two[runs(starts, counts)]
+    (from_x, from_y), (to_x, to_y), (side_x, side_y) = (outlines.normals(edges) for edges in (arriving, corner, side))
+    juts = np.zeros(len(asking), np.bool_)
+    for k in range(1, _ON_A_QUARTER):
+        half = k / _ON_A_QUARTER  # the tangent of half the angle: no cosine, which differs from machine to machine
+        c, s = (1.0 - half * half) / (1.0 + half * half), 2.0 * half / (1.0 + half * half)
+        x = outlines.x[corner] + radius * (c * from_x + s * to_x - side_x)
+        y = outlines.y[corner] + radius * (c * from_y + s * to_y - side_y)
+        within, _ = outlines.within(x[asked], y[asked], others, NEAR)
+        juts |= np.bincount(asked[within], minlength=len(asking)) == 0
+    before[asking[juts]], after[asking[juts]] = arriving[juts], corner[juts]
+    return before, after
 
 
 def at_vertices(outlines: Outlines, tiles: Tiles, found: Found) -> Found:

@@ -107,7 +107,7 @@ def seams(tiles: dict[int, Tile], row: int) -> Seams | None:
         return None
     numbers = range(len(tile.corners))
     shown = [_shown(tile, k, others) for k in numbers]
-    edges = [_edges(tile, k, shown, others) for k in numbers]
+    edges = [_with_round_end(tile, k, _edges(tile, k, shown, others), others) for k in numbers]
     sides = [(_normal(before), _normal(after)) for before, after in edges]
     own = [(tile.normals[k - 1], tile.normals[k]) for k in numbers]
     if all(each == WHOLE for each in shown) and sides == own:
@@ -126,6 +126,35 @@ def _at_end(tile: Tile, k: int, edges: list[tuple[Edge | None, Edge | None]]) ->
         return tile.normals[k - 2], tile.normals[k]
     here, across = ((_normal(before), _normal(after)) for before, after in pairs)
     return across if _cross(*across) > _cross(*here) else here
+
+
+def _with_round_end(
+    tile: Tile, k: int, edges: tuple[Edge | None, Edge | None], others: list[Tile]
+) -> tuple[Edge | None, Edge | None]:
+    """The edges of the whole at a corner; of a round line's that lies within the whole its own two, if some of the
+    quarter of the round end between these is in no other tile."""
+    if edges != (None, None) or not tile.line or tile.flat:
+        return edges
+    before = (k - 1) % 4
+    (from_x, from_y), (to_x, to_y) = tile.normals[before], tile.normals[k]
+    side, end = (k, before) if k % 2 == 0 else (before, k)
+    radius, (side_x, side_y), (x, y) = 0.5 * tile.length(end), tile.normals[side], tile.corners[k]
+    beside = [other for other in others if not _parted_aslant(tile, other)]
+    for half in (n / 8 for n in range(1, 8)):
+        c, s = (1.0 - half * half) / (1.0 + half * half), 2.0 * half / (1.0 + half * half)
+        point = x + radius * (c * from_x + s * to_x - side_x), y + radius * (c * from_y + s * to_y - side_y)
+        if all(max(other.heights(point)) > NEAR for other in beside):
+            return (tile, before), (tile, k)
+    return edges
+
+
+def _parted_aslant(one: Tile, two: Tile) -> bool:
+    """Whether the outlines of two tiles lie apart along one of a few directions, so that neither knows of the other."""
+    for x, y in ((1, 1), (1, -1), (2, 1), (2, -1), (1, 2), (1, -2)):
+        a, b = ([x * u + y * v for u, v in tile.corners] for tile in (one, two))
+        if min(a) > max(b) + 5e-4 or min(b) > max(a) + 5e-4:
+            return True
+    return False
 
 
 def _normal(edge: Edge | None) -> Vec:

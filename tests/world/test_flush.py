@@ -7,7 +7,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from hypothesis import given
+from hypothesis import example, given
 from hypothesis import strategies as st
 
 from sandbox import SetPose
@@ -94,6 +94,16 @@ def test_random_tilings(bodies):
 @given(drawings, drawings)
 def test_random_tilings_in_bodies_that_move(one, other):
     check(build_state(scene(assembled(one), replace(assembled(other), id="other", angle=0.0))))
+
+
+capsules = st.builds(lambda half, radius: segment((-half, 0.0), (half, 0.0), radius=radius), sizes, sizes)
+anywhere = st.tuples(st.floats(-1.0, 1.0), st.floats(-1.0, 1.0))
+
+
+@given(capsules, st.lists(st.tuples(boxes | capsules | st.just(wedge), anywhere, st.floats(0.0, 6.3)), max_size=3))
+@example(segment((-0.5, 0.0), (0.5, 0.0), radius=0.5), [(wedge, (-0.6, 0.2), 0.3)])
+def test_round_ends_within_others(capsule, others):
+    check(build_state(scene(assembled([(capsule, (0.0, 0.0), 0.0), *others]))))
 
 
 @pytest.mark.parametrize("name", sorted(FILES))
