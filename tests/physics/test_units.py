@@ -81,6 +81,19 @@ def shots(_: int) -> others.Parts:
     return bodies, []
 
 
+def bouncing_pairs() -> others.Parts:
+    """Hinged and welded pairs that bounce on a floor, with friction."""
+    bodies: list[Words] = [{"id": "floor", "type": "static", "shapes": [{"box": [90, 1], "restitution": 0.8}]}]
+    joints = []
+    for k in range(6):
+        pair, x = [f"a{k}", f"b{k}"], 4.0 * k
+        bodies.append({"id": pair[0], "position": [x, 2], "angle": 17.0 * k, "shapes": [{"box": [0.8, 0.5]}]})
+        bodies.append({"id": pair[1], "position": [x + 1.3, 2.2], "shapes": [{"circle": 0.4}]})
+        kind = "weld" if k % 2 else "revolute"
+        joints.append({"id": f"j{k}", "type": kind, "bodies": pair, "anchor": [x + 0.7, 2.1]})
+    return bodies, joints
+
+
 BUILDS: dict[str, Callable[[], others.Parts]] = {
     "boxes": lambda: others.heap_of_boxes(1),
     "capsules under a weight": lambda: pinned(others.heap_of_capsules(1)),
@@ -97,6 +110,7 @@ BUILDS: dict[str, Callable[[], others.Parts]] = {
     "cars": lambda: others.cars(1),
     "needles": lambda: others.needles(1),
     "shots": lambda: shots(1),
+    "pairs that bounce": bouncing_pairs,
 }
 
 

@@ -59,7 +59,7 @@ def fill_matrix(
         for axis in range(AXES):
             acts = contact.point_count == 2 if axis == SECOND else axis == FIRST or contact.friction > 0.0
             if acts:
-                size = _push(bodies, solver, contact, axis)
+                size = _push(bodies, solver, contact, axis, reach.work.direct.units[0])
                 pass_on_from(solver, contact, reach)
                 _note_column(bodies, solver, contacts, impacts, first, reach, column + axis, size)
                 forget_push(solver, contact, reach)
@@ -71,10 +71,11 @@ def fill_matrix(
 
 
 @kernel
-def _push(bodies: Records, solver: SolverBodies, contact: Records, axis: int) -> float:
-    """Give an impulse along one of the axes of a contact, of as many N s as its bodies have kg; returns how many."""
+def _push(bodies: Records, solver: SolverBodies, contact: Records, axis: int, metre: float) -> float:
+    """Give an impulse along one of the axes of a contact that changes speeds by some `metre` a second, however many
+    units of length that is; returns how large it is (N s)."""
     mass = pair_mass(bodies[contact.body_a], bodies[contact.body_b])
-    size = 1.0 / (mass.mass_a + mass.mass_b)
+    size = metre / (mass.mass_a + mass.mass_b)
     anchors = anchors_of(contact, 2 if axis == SECOND else 1)
     x = contact.normal_x
     y = contact.normal_y
