@@ -51,6 +51,9 @@ _WORTH_SHARING = 8000
 """Awake bodies, their contacts and joints from which on several workers are sooner done: with half as many, fetching
 what the other one has written takes as long as is saved."""
 
+_ROWS, _JOINTS = 1, 2
+"""What the calls of a step do not know yet: other tables of the state, and what is known of joints."""
+
 
 class Stepper:
     """Steps a state. Whoever adds or removes rows calls `add_rows` or `move_rows`, whoever replaces its arrays `renew`,
@@ -75,6 +78,8 @@ class Stepper:
 
     def compile(self) -> None:
         """Compile what the step needs, if it has not been on this machine: seconds."""
+        if self._exchanged:
+            self._exchange()
         if self.calls.bound:
             return
         needs = self.calls.needs
@@ -158,7 +163,7 @@ class Stepper:
         if grown:
             self._prepare_calls()
         else:
-            self._exchange_rows(joints=len(state.joints) > added.joints)
+            self._exchanged |= _ROWS | (_JOINTS if len(state.joints) > added.joints else 0)
 
     def move_rows(self, moved: Moved) -> None:
         """Rows have gone, and others have moved into their places."""
@@ -168,7 +173,7 @@ class Stepper:
         close_up(plain(self.scratch.contacts.reports)[: len(moved.contacts)], moved.contacts)
         scratch, joints = self.scratch, self.scratch.joints
         if joints is None and len(moved.joints) == 0:
-            self._exchange_rows(joints=False)
+            self._exchanged |= _ROWS
             return
         going = None if joints is None else going_parts(joints, moved.joints)
         if joints is None or going is None or going.all():
@@ -177,12 +182,12 @@ class Stepper:
         scratch.joint_filter, scratch.joints = without_parts(
             scratch.joint_filter, joints, self._layouts, going, moved, self._state.joints
         )
-        self._exchange_rows(joints=True)
+        self._exchanged |= _ROWS | _JOINTS
 
     def follow_regions(self) -> None:
         """Regions have gone, or have other sides."""
         self.scratch.follow_fields(self._state)
-        self._exchange_rows(joints=False)
+        self._exchanged |= _ROWS
 
     def forget(self) -> None:
         """Look anew at who may move: anything may have been changed from outside."""
@@ -195,7 +200,7 @@ class Stepper:
     def assemble_joints(self) -> None:
         """Find out anew what hangs together by joints, after one of them broke or was switched."""
         self.scratch.joint_filter, self.scratch.joints = self._assembled()
-        self._exchange_rows(joints=True)
+        self._exchanged |= _ROWS | _JOINTS
 
     def wiring(self) -> bytes:
         """What decides how joints hang together now."""
@@ -272,6 +277,7 @@ class Stepper:
         """Other tables for the calls of a step."""
         state, scratch = self._state, self.scratch
         self._crowded = len(state.shapes) > _FEW
+        self._exchanged = 0
         self.counters = plain(state.counters).view(np.int64).data
         self._count_lost()
         here = scratch.contacts._replace(before=state.contacts)
@@ -285,10 +291,9 @@ class Stepper:
         state, room = self._state, self.scratch.room.bodies
         return assemble(state.joints, state.bodies, self._layouts, room)
 
-    def _exchange_rows(self, joints: bool) -> None:
-        """Other rows of the state for the calls of a step, with `joints` also of what is known of those, and nothing
-        else."""
-        state = self._state
+    def _exchange(self) -> None:
+        """Other rows of the state for the calls of a step, and what is known of its joints if those are others."""
+        state, joints = self._state, bool(self._exchanged & _JOINTS)
         if not self.calls.fits(state, self.scratch):
             self._prepare_calls()
             return
@@ -296,3 +301,4 @@ class Stepper:
         if joints:
             self._count_lost()
         self.calls.exchange_rows(state, self.scratch, joints)
+        self._exchanged = 0

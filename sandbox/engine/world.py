@@ -7,8 +7,9 @@ from typing import TYPE_CHECKING, Any, TypeAlias
 from sandbox._collecting import collection_postponed
 from sandbox.arguments import MOST_WORKERS, check_kind, checked_count, shown
 from sandbox.attributes import FixedAttributes, attributes_besides
+from sandbox.engine.commands.backlog import Backlog
 from sandbox.engine.commands.base import Command, Touched, Vec
-from sandbox.engine.commands.delete import Delete
+from sandbox.engine.commands.delete import Delete, take_out
 from sandbox.engine.commands.set_gravity import SetGravity
 from sandbox.engine.commands.spawn import Spawn
 from sandbox.engine.events.event_log import EventLog, KeptEvents, Untold
@@ -21,11 +22,13 @@ from sandbox.engine.views.joint import JointView
 from sandbox.errors import ArgumentError, CapacityError, CommandError, SnapshotError
 from sandbox.notebook import Shown
 from sandbox.scene.flat import FlatScene
+from sandbox.scene.spawned import Spawned
 from sandbox.tables import Floats, plain
 from sandbox.world.build import build_state
 from sandbox.world.directory import Directory
 from sandbox.world.records import CounterPlace
 from sandbox.world.roster import Roster
+from sandbox.world.rows import add_rows
 from sandbox.world.snapshot import restore
 
 if TYPE_CHECKING:
@@ -54,7 +57,7 @@ class World(Readings, Shown, FixedAttributes):
     """
 
     __slots__ = (
-        "__weakref__", "_changes", "_directory", "_events", "_game", "_last_switch", "_paths", "_queries",
+        "__weakref__", "_backlog", "_changes", "_directory", "_events", "_game", "_last_switch", "_paths", "_queries",
         "_spawning", "_stepper", "bodies", "scene", "state",
     )  # fmt: skip
 
@@ -89,6 +92,7 @@ class World(Readings, Shown, FixedAttributes):
         events.
         """
         n = checked_count("World.step", n)
+        self._backlog.settle()
         self._stepper.compile()
         object.__setattr__(self, "_changes", self._changes + 1)  # ours looks up what may be set: 1 us
         if self._game is None and self._paths is None:
@@ -98,6 +102,7 @@ class World(Readings, Shown, FixedAttributes):
             self._play_step()
 
     def _advance(self, n: int) -> None:
+        self._backlog.settle()
         singly = self._events.sensed is not None
         while n > 0:
             try:
@@ -134,10 +139,10 @@ class World(Readings, Shown, FixedAttributes):
             raise CommandError(f"{shown(command)} is no command; commands are such as sandbox.SetPose")
         object.__setattr__(self, "_changes", self._changes + 1)  # as in a step
         command = command.checked()
-        going = command.going(self)
-        if going is not None:
-            self._events.note_going(self.scratch, going)
-        elif command.outdates_events:
+        if command.put_off(self):
+            return
+        self._backlog.settle()
+        if command.outdates_events:
             self._events.work_out(self.scratch)
         self._note(command.apply(self))
 
@@ -167,6 +172,11 @@ class World(Readings, Shown, FixedAttributes):
 
             self._spawning = Spawning(self.scene if not isinstance(self.scene, FlatScene) else None)
         return self._spawning
+
+    @property
+    def backlog(self) -> Backlog:
+        """What waits to be done with others."""
+        return self._backlog
 
     def body(self, name: str) -> BodyView:
         """The body of that id. Raises `UnknownBodyError` with the nearest name."""
@@ -200,6 +210,7 @@ class World(Readings, Shown, FixedAttributes):
             raise SnapshotError(f"a snapshot is bytes, as World.snapshot gives them, not {shown(data)}")
         if untold is not None:
             check_kind("World.restore", "as untold what World.untold gave", untold, Untold)
+        self._backlog.settle()
         self._changes += 1
         layout, wiring = self.layout, self._stepper.wiring()
         restore(self.state, bytes(data), self._read_roster)
@@ -216,6 +227,7 @@ class World(Readings, Shown, FixedAttributes):
     @property
     def untold(self) -> Untold:
         """What the events of the next step have to know and no snapshot holds: for `restore`."""
+        self._backlog.settle()
         return self._events.untold
 
     def __reduce_ex__(self, protocol: Any) -> tuple[Any, ...]:
@@ -232,6 +244,7 @@ class World(Readings, Shown, FixedAttributes):
     def _know_rows(self) -> None:
         """Note where everybody is now, and when fields begin and end."""
         self._directory = Directory(self.state)
+        self._backlog = Backlog(self.state, self._directory, self._settle)
         self._last_switch = last_switch(self.state)
 
     def _know_play(self) -> None:
@@ -245,6 +258,16 @@ class World(Readings, Shown, FixedAttributes):
             from sandbox.engine.rules.paths import Paths
 
             self._paths = Paths(state, lambda rows: self._note(Touched(bodies=tuple(rows))))
+
+    @collection_postponed()
+    def _settle(self) -> None:
+        """Do what commands have left to the backlog."""
+        going, coming = self._backlog.take()
+        if going:
+            self._events.note_going(self.scratch, going)
+            self._note(take_out(self, bodies=[row for rows in going for row in rows]))
+        if coming:
+            self._note(Touched(added=add_rows(self.state, self._directory, Spawned.joined(coming))))
 
     def _note(self, touched: Touched) -> None:
         """Bring up to date what is worked out from the records."""

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, fields, replace
+from itertools import chain
 from typing import Any
 
 from pydantic import ValidationError
@@ -38,6 +39,13 @@ class Spawned:
     regions: tuple[FlatRegion, ...] = ()
     region_words: tuple[dict[str, Any], ...] = ()
 
+    @classmethod
+    def joined(cls, parts: Sequence[Spawned]) -> Spawned:
+        """Some of them, one after the other."""
+        if len(parts) == 1:
+            return parts[0]
+        return cls(*(tuple(chain.from_iterable(getattr(part, item.name) for part in parts)) for item in fields(cls)))
+
 
 class Spawning:
     """Reads entries of `bodies`, `joints` and `regions` with the prefabs, materials and categories of one scene."""
@@ -55,7 +63,7 @@ class Spawning:
 
         Raises `SceneError` with every mistake and its place, such as `/bodies/0/shapes`; `source` begins the message.
         """
-        spawned = None if regions else self._read_known(bodies, joints, known)
+        spawned = None if regions else self.read_known(bodies, joints, known)
         if spawned is not None:
             return spawned
         data = {"bodies": bodies, "joints": joints, **({"regions": regions} if regions else {})}
@@ -69,7 +77,7 @@ class Spawning:
         self._templates.learn(bodies, spawned.bodies, spawned.body_words)
         return spawned
 
-    def _read_known(self, bodies: Any, joints: Any, known: Known) -> Spawned | None:
+    def read_known(self, bodies: Any, joints: Any, known: Known) -> Spawned | None:
         """The same for bodies of known templates; None unless nothing is wrong."""
         if not (isinstance(bodies, (list, tuple)) and isinstance(joints, (list, tuple))):
             return None

@@ -24,7 +24,8 @@ class Directory:
 
     def __init__(self, state: State) -> None:
         self._state = state
-        census = state.census
+        self._census = census = state.census
+        """The same while rows are still to come or go: who asks for it by the state has them come and go."""
         self._bodies: dict[str, int] = {}
         self._joints: dict[str, int] = {}
         self._regions: dict[str, int] = {}
@@ -33,7 +34,7 @@ class Directory:
 
     def add(self, bodies: int, joints: int, regions: int) -> None:
         """So many have come after all others."""
-        census = self._state.census
+        census = self._census
         for known, ledger, count in (
             (self._bodies, census.bodies, bodies), (self._joints, census.joints, joints),
             (self._regions, census.regions, regions),
@@ -86,19 +87,28 @@ class Directory:
         """The row of a control. Raises `CommandError` with the nearest name."""
         return _looked_up("control", name, self._controls, CommandError)
 
-    def known(self) -> Known:
-        """What a body or a joint that comes may refer to."""
-        census = self._state.census
-        types = _Looked(self._bodies, census.bodies, lambda body: body.type)
+    def standing(self, name: str) -> int:
+        """The row of a body in the tables as they are, though others are still to go. Raises as `body`."""
+        return _row(self._census.bodies, _looked_up("body", name, self._bodies, UnknownBodyError))
+
+    def announce(self, names: Sequence[str], after: int) -> None:
+        """Bodies of those names will come, after so many others that will: their ids are taken."""
+        first = self._census.bodies.next + after
+        self._bodies.update({name: first + k for k, name in enumerate(names) if name})
+
+    def known(self, shapes: int, coming: int = 0) -> Known:
+        """What a body or a joint that comes may refer to, where there are so many shapes, and so many bodies come."""
+        census = self._census
+        types = _Looked(self._bodies, census.bodies, lambda body: body.type, coming)
         kinds = _Looked(self._joints, census.joints, lambda joint: joint.kind)
-        return Known(types, kinds, len(self._state.shapes), self._regions, len(census.regions))
+        return Known(types, kinds, shapes, self._regions, len(census.regions))
 
 
 class _Looked(Mapping[str, str]):
     """Something about what each id stands for, looked up when it is asked; what has no id only counts."""
 
-    def __init__(self, serials: dict[str, int], ledger: Ledger[Any], ask: Callable[[Any], str]) -> None:
-        self._serials, self._ledger, self._ask = serials, ledger, ask
+    def __init__(self, serials: dict[str, int], ledger: Ledger[Any], ask: Callable[[Any], str], more: int = 0) -> None:
+        self._serials, self._ledger, self._ask, self._more = serials, ledger, ask, more
 
     def __getitem__(self, name: str) -> str:
         return self._ask(self._ledger.items[_row(self._ledger, self._serials[name])])
@@ -110,7 +120,7 @@ class _Looked(Mapping[str, str]):
         return iter(self._serials)
 
     def __len__(self) -> int:
-        return len(self._ledger)
+        return len(self._ledger) + self._more
 
 
 def _serials(ledger: Ledger[Any], last: int) -> dict[str, int]:

@@ -35,6 +35,10 @@ class KnownPatterns:
     def __init__(self) -> None:
         self._known: dict[Key, tuple[FlatBody, Patterns]] = {}
 
+    def has(self, bodies: Sequence[FlatBody]) -> bool:
+        """Whether those of all these bodies were."""
+        return all(key in self._known for key in pattern_keys(bodies))
+
     def of(self, keys: Sequence[Key], bodies: Sequence[FlatBody]) -> Patterns:
         """The patterns of bodies that all have another one."""
         lacking = [k for k, key in enumerate(keys) if key not in self._known]

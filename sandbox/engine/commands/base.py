@@ -8,20 +8,17 @@ from collections.abc import Mapping
 from dataclasses import dataclass, fields
 from typing import TYPE_CHECKING, Any, ClassVar, Protocol, Self
 
-import numpy as np
-from numpy.typing import NDArray
-
 from sandbox.engine.commands.checks import checked
 from sandbox.world.directory import Directory
 from sandbox.world.rows import Added, Moved
 from sandbox.world.state import State
 
 if TYPE_CHECKING:
+    from sandbox.engine.commands.backlog import Backlog
     from sandbox.engine.queries.queries import Queries
     from sandbox.scene.spawned import Spawning
 
 Vec = tuple[float, float]
-Flags = NDArray[np.bool_]
 
 
 class CommandTarget(Protocol):
@@ -38,6 +35,10 @@ class CommandTarget(Protocol):
     @property
     def spawning(self) -> Spawning:
         """Reads what is spawned."""
+
+    @property
+    def backlog(self) -> Backlog:
+        """What waits to be done with others."""
 
     @property
     def query(self) -> Queries:
@@ -75,7 +76,7 @@ class Command(ABC):
 
     @property
     def outdates_events(self) -> bool:
-        """Whether the events of the last step can no longer be worked out afterwards, though it deletes nothing."""
+        """Whether the events of the last step can no longer be worked out afterwards."""
         return False
 
     def checked(self) -> Self:
@@ -86,12 +87,13 @@ class Command(ABC):
         """
         return checked(self, self.UNLIMITED)
 
-    def going(self, target: CommandTarget) -> Flags | None:
-        """Marks of the bodies that it will delete; None if it deletes neither bodies nor joints.
+    def put_off(self, target: CommandTarget) -> bool:
+        """Leave it to the backlog, with others of its kind; False if it is to be done at once. The command is a
+        `checked` one.
 
-        Raises `UnknownBodyError` or `UnknownJointError` if it cannot be done. The command is a `checked` one.
+        Raises `UnknownBodyError`, and changes nothing, if it cannot be done.
         """
-        return None
+        return False
 
     @abstractmethod
     def apply(self, target: CommandTarget) -> Touched:

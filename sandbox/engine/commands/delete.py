@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from abc import abstractmethod
 from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Self
@@ -11,50 +10,20 @@ import numpy as np
 
 from sandbox.arguments import shown
 from sandbox.engine.active.wake import wake_bodies
-from sandbox.engine.commands.base import Command, CommandTarget, Flags, Touched
+from sandbox.engine.commands.base import Command, CommandTarget, Touched
 from sandbox.engine.commands.joint_command import held_bodies
 from sandbox.engine.commands.sleepers_in import sleepers_in
 from sandbox.errors import CommandError
 from sandbox.tables import plain
 from sandbox.world.region_rows import remove_regions
-from sandbox.world.rows import remove_rows
+from sandbox.world.rows import Flags, remove_rows
 from sandbox.world.state import State
 
 Ids = str | Sequence[str]
 
 
-class _Deletion(Command):
-    """Takes out what it marks, with the joints that cannot be there without it, and wakes what these held."""
-
-    def going(self, target: CommandTarget) -> Flags:
-        """Marks of the bodies."""
-        return self._marked(target)[0]
-
-    def _marked(self, target: CommandTarget) -> tuple[Flags, Flags]:
-        state = target.state
-        bodies, joints = np.zeros(len(state.bodies), np.bool_), np.zeros(len(state.joints), np.bool_)
-        self.mark(target, bodies, joints)
-        return bodies, joints
-
-    def apply(self, target: CommandTarget) -> Touched:
-        """Take the rows out of all tables."""
-        state = target.state
-        bodies, joints = self._marked(target)
-        if len(joints):
-            joints |= _hanging_on(state, bodies, joints)
-        held = held_bodies(state, np.flatnonzero(joints))
-        woken = np.array(wake_bodies(state, np.concatenate([np.flatnonzero(bodies), held])), np.int64)
-        rows = remove_rows(state, target.directory, bodies, joints)
-        left = woken[woken < rows.bodies.first]  # all behind are looked at
-        return Touched(rows=rows, bodies=tuple(left.tolist()))
-
-    @abstractmethod
-    def mark(self, target: CommandTarget, bodies: Flags, joints: Flags) -> None:
-        """Mark the rows to delete."""
-
-
 @dataclass(frozen=True)
-class Delete(_Deletion):
+class Delete(Command):
     """Take bodies out of the world, given by one id or several, with all joints that hold them and gears on those.
 
     What rested on them or hung from them wakes.
@@ -70,16 +39,23 @@ class Delete(_Deletion):
         _check_ids(self, self.bodies)
         return self
 
-    def mark(self, target: CommandTarget, bodies: Flags, joints: Flags) -> None:
-        """Mark the bodies."""
-        bodies[[target.directory.body(name) for name in _listed(self.bodies)]] = True
+    def put_off(self, target: CommandTarget) -> bool:
+        """Let the bodies wait until they are asked for."""
+        target.backlog.remove(_listed(self.bodies))
+        return True
+
+    def apply(self, target: CommandTarget) -> Touched:
+        """Take the rows out of all tables."""
+        return take_out(target, bodies=[target.directory.body(name) for name in _listed(self.bodies)])
 
 
 @dataclass(frozen=True)
-class DeleteJoint(_Deletion):
+class DeleteJoint(Command):
     """Take joints out of the world, given by one id or several, with all gears on them."""
 
     joints: Ids
+
+    outdates_events = True
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "joints", _tidy(self.joints))
@@ -89,9 +65,9 @@ class DeleteJoint(_Deletion):
         _check_ids(self, self.joints)
         return self
 
-    def mark(self, target: CommandTarget, bodies: Flags, joints: Flags) -> None:
-        """Mark the joints."""
-        joints[[target.directory.joint(name) for name in _listed(self.joints)]] = True
+    def apply(self, target: CommandTarget) -> Touched:
+        """Take the rows out of all tables."""
+        return take_out(target, joints=[target.directory.joint(name) for name in _listed(self.joints)])
 
 
 @dataclass(frozen=True)
@@ -118,6 +94,21 @@ class DeleteRegion(Command):
             woken += wake_bodies(state, sleepers_in(state, state.regions[row]))
         remove_regions(state, target.directory, gone)
         return Touched(regions=True, bodies=woken)
+
+
+def take_out(target: CommandTarget, bodies: Sequence[int] = (), joints: Sequence[int] = ()) -> Touched:
+    """Take out bodies and joints of some rows, with the joints that cannot be there without them, and wake what these
+    held."""
+    state = target.state
+    going, parting = np.zeros(len(state.bodies), np.bool_), np.zeros(len(state.joints), np.bool_)
+    going[list(bodies)] = parting[list(joints)] = True
+    if len(parting):
+        parting |= _hanging_on(state, going, parting)
+    held = held_bodies(state, np.flatnonzero(parting))
+    woken = np.array(wake_bodies(state, np.concatenate([np.flatnonzero(going), held])), np.int64)
+    rows = remove_rows(state, target.directory, going, parting)
+    left = woken[woken < rows.bodies.first]  # all behind are looked at
+    return Touched(rows=rows, bodies=tuple(left.tolist()))
 
 
 def _tidy(ids: Ids) -> Ids:

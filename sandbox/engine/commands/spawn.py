@@ -53,12 +53,21 @@ class Spawn(Command):
         return {name: value for name, value in super().to_words().items() if value != ()}
 
     @collection_postponed()
+    def put_off(self, target: CommandTarget) -> bool:
+        """Let bodies wait that are like others before, by themselves, and free to move."""
+        if self.joints or self.regions:
+            return False
+        found = target.spawning.read_known(_listed(self.bodies), (), target.backlog.known())
+        return found is not None and target.backlog.add(found)
+
+    @collection_postponed()
     def apply(self, target: CommandTarget) -> Touched:
         """Read the entries, add their rows after all others, and wake what the new joints hold or regions push."""
         state = target.state
         bodies, joints, regions = (_listed(getattr(self, name)) for name in _LISTS)
+        known = target.directory.known(len(state.shapes))
         try:
-            found = target.spawning.read(bodies, joints, target.directory.known(), "Spawn", regions)
+            found = target.spawning.read(bodies, joints, known, "Spawn", regions)
         except SceneError as error:
             raise CommandError(str(error)) from None
         try:

@@ -6,9 +6,6 @@ from collections.abc import Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING, NamedTuple
 
-import numpy as np
-from numpy.typing import NDArray
-
 from sandbox.engine.events.events import Events, LastStep, find_events, no_events
 from sandbox.engine.events.happening import Happening
 from sandbox.engine.events.pending import DeletedPairs, PendingEvents
@@ -123,13 +120,13 @@ class EventLog:
         if self._sensors is None and plain(self._state.shapes)["sensor"][added.shapes :].any():
             self._sensors = self._find_sensors()
 
-    def note_going(self, scratch: Scratch, bodies: NDArray[np.bool_]) -> None:
-        """Marked bodies will be deleted, with whatever knows of them."""
+    def note_going(self, scratch: Scratch, going: Sequence[tuple[int, ...]]) -> None:
+        """Bodies will be deleted, with whatever knows of them; `going` are their rows, command by command."""
         self.work_out(scratch)
-        rows = np.flatnonzero(bodies)
+        rows = sorted(row for some in going for row in some)
         names = self._state.census.bodies.names
-        self._gone.append((rows.tolist(), [names[row] for row in rows.tolist()]))
-        self._pending.note_going(self._state, rows, self.sensed)
+        self._gone.append((rows, [names[row] for row in rows]))
+        self._pending.note_going(self._state, going, self.sensed)
 
     def note_moved(self, moved: Moved) -> None:
         """Rows have gone."""

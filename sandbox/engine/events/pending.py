@@ -69,23 +69,35 @@ class PendingEvents:
         """A command has put the body of that row elsewhere; `center` is where its centre was."""
         self.places.setdefault(row, center)
 
-    def note_going(self, state: State, gone: Integers, sensed: Records | None) -> None:
-        """Bodies of those rows will be deleted: what touches them, or is `sensed` with them, will do so no more."""
+    def note_going(self, state: State, going: Sequence[tuple[int, ...]], sensed: Records | None) -> None:
+        """Bodies will be deleted, of those rows, command by command: what touches them, or is `sensed` with them, will
+        do so no more, and is told of in that order."""
+        gone = np.array(sorted(row for rows in going for row in rows), np.int64)
         count = int(plain(state.counters)["contact_count"][0])
-        near = contacts_of(state.contacts, count, gone, state.resting)
-        going = plain(state.contacts)[near]
-        touched = going[going["touching"] == 1]
+        near = plain(state.contacts)[contacts_of(state.contacts, count, gone, state.resting)]
+        touched = near[near["touching"] == 1]
         if len(touched):
-            self._next[0].extend(_contacts(state, touched))
+            self._next[0].extend(_contacts(state, _in_order(touched, ("body_a", "body_b"), going)))
         if sensed is not None:
             rows = plain(sensed)
             left = rows.take(np.flatnonzero(np.isin(rows["sensor_body"], gone) | np.isin(rows["body"], gone)))
+            left = _in_order(left, ("sensor_body", "body"), going)
             keys = _keys(state, left["sensor_body"], left["sensor"]), _keys(state, left["body"], left["shape_index"])
             self._next[1].extend(map(DeletedPair, *keys))
 
     def note_rows(self) -> None:
         """Rows have moved; the events of the last step are known."""
         self.places = {}
+
+
+def _in_order(pairs: Any, bodies: tuple[str, str], going: Sequence[tuple[int, ...]]) -> Any:
+    """Pairs of bodies as the first of both goes, command by command; those of one command stay in their order."""
+    if len(going) == 1 or len(pairs) < 2:
+        return pairs
+    turn = {row: k for k, rows in enumerate(going) for row in rows}
+    sides = (pairs[name].tolist() for name in bodies)
+    turns = [min(turn.get(a, len(going)), turn.get(b, len(going))) for a, b in zip(*sides, strict=True)]
+    return pairs[np.argsort(turns, kind="stable")]
 
 
 def _keys(state: State, bodies: Integers, shapes: Integers) -> list[ShapeKey]:
