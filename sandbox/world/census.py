@@ -10,11 +10,8 @@ from __future__ import annotations
 from bisect import bisect_left
 from collections import Counter
 from collections.abc import Iterator, Sequence
-from itertools import compress
+from itertools import chain
 from typing import Any, Generic
-
-import numpy as np
-from numpy.typing import NDArray
 
 from sandbox.scene.flat import FlatBody, FlatJoint, FlatRegion, FlatScene
 from sandbox.world.roster import Register, Roster, T, Words
@@ -58,22 +55,20 @@ class Ledger(Generic[T]):
             self._families.update(map(_family, names))
         self._register = self._ids = None
 
-    def remove(self, left: NDArray[np.bool_]) -> list[str]:
-        """Close up the rows that are `left`; returns the names of the others."""
-        gone = np.flatnonzero(~left)
-        if len(gone) == 0:
+    def remove(self, rows: Sequence[int]) -> list[str]:
+        """Take out some rows, given in their order: the others close up. Returns the names of those."""
+        if not rows:
             return []
-        rows = gone.tolist()
         names = [self.names[row] for row in rows]
         for row in rows:
             self.words.pop(self.serials[row], None)
-        starts = np.flatnonzero(np.diff(gone, prepend=-2) > 1)
-        runs = list(zip(gone[starts].tolist(), (gone[[*starts[1:] - 1, -1]] + 1).tolist(), strict=True))
+        runs = _runs(rows)
         columns: tuple[list[Any], ...] = (self.items, self.names, self.serials)
         for column in columns:
             if len(runs) > _FEW:
-                first = rows[0]
-                column[first:] = list(compress(column[first:], left[first:].tolist()))
+                ends = [rows[0], *(end for _, end in runs)]
+                starts = [*(start for start, _ in runs), len(column)]
+                column[rows[0] :] = chain.from_iterable(map(column.__getitem__, map(slice, ends, starts)))
             else:
                 for first, end in reversed(runs):
                     del column[first:end]
@@ -111,6 +106,13 @@ class Ledger(Generic[T]):
             self._register = Register(tuple(self.items), tuple(self.serials), dict(self.words), self.next)
             vars(self._register)["names"] = self.ids  # instead of asking everybody again
         return self._register
+
+
+def _runs(rows: Sequence[int]) -> list[tuple[int, int]]:
+    """Where runs of neighbouring rows begin and end."""
+    starts = [row for row, before in zip(rows, (-2, *rows), strict=False) if row != before + 1]
+    ends = [row + 1 for row, after in zip(rows, (*rows[1:], -2), strict=True) if after != row + 1]
+    return list(zip(starts, ends, strict=True))
 
 
 def _family(name: str) -> str:

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from struct import Struct
 from typing import TypeAlias
 
-from sandbox.scene.flat import FlatBody
+from sandbox.scene.flat import FlatBody, FlatShape
 from sandbox.world.body_prototypes import TYPES
 from sandbox.world.shape_rows import Patterns, build_patterns
 
@@ -14,6 +15,7 @@ _NONE = float("nan")
 _MOST = 1024
 _pack = Struct("11d").pack
 
+Shapes: TypeAlias = tuple[FlatShape, ...]
 Key: TypeAlias = tuple[int, bytes]
 """A tuple of shapes by its identity, and the bits of all numbers that a pattern depends on."""
 
@@ -34,6 +36,17 @@ class KnownPatterns:
 
     def __init__(self) -> None:
         self._known: dict[Key, tuple[FlatBody, Patterns]] = {}
+        self._weighed: dict[str, Shapes] = {}
+
+    def weighed(self, shapes: Shapes, densities: tuple[float, ...]) -> Shapes:
+        """Some shapes with other densities (kg/m^2): the same tuple for the same ones, so that their pattern is known.
+
+        They are told by how they are written, as 0 and -0 are equal.
+        """
+        fresh = tuple(replace(shape, density=value) for shape, value in zip(shapes, densities, strict=True))
+        if len(self._weighed) >= _MOST:
+            self._weighed.clear()
+        return self._weighed.setdefault(repr(fresh), fresh)
 
     def has(self, bodies: Sequence[FlatBody]) -> bool:
         """Whether those of all these bodies were."""

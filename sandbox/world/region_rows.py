@@ -34,7 +34,7 @@ def remove_regions(state: State, directory: Directory, gone: NDArray[np.bool_]) 
     state.edges = without(state.edges, np.repeat(~gone, counts))
     regions["first_edge"] -= np.cumsum(np.where(gone, counts, 0))
     state.regions = without(state.regions, ~gone)
-    directory.remove(regions=state.census.regions.remove(~gone))
+    directory.remove(regions=state.census.regions.remove(np.flatnonzero(gone).tolist()))
 
 
 def put_sides(state: State, index: int, sides: Sequence[tuple[float, float, float]]) -> None:

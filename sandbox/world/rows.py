@@ -142,7 +142,10 @@ def remove_rows(state: State, directory: Directory, bodies: Flags, joints: Flags
         beside = _remove_shapes(state, body_rows, shape_rows)
         _remove_bodies(state, body_rows)
     rejoin(state, beside)
-    names = state.census.bodies.remove(~bodies), state.census.joints.remove(~joints)
+    names = (
+        state.census.bodies.remove(np.flatnonzero(bodies).tolist()),
+        state.census.joints.remove(np.flatnonzero(joints).tolist()),
+    )
     directory.remove(*names)
     state.layout += 1
     return Moved(body_rows, shape_rows, joint_rows, contacts, types, renamed)
@@ -203,6 +206,8 @@ def _remove_shapes(state: State, body_rows: NewRows, rows: NewRows) -> Integers:
         ("vertices", "vertex_start", "vertex_count"), ("outlines", "outline_start", "outline_count"),
     ):  # fmt: skip
         table, counts = getattr(state, name), shapes[count]
+        if len(table) == 0:
+            continue
         setattr(state, name, without(table, np.repeat(rows.left, counts), len(table) - int(counts.sum())))
         shapes[start] -= np.cumsum(np.where(rows.left, 0, counts))
     state.shapes = without(state.shapes, rows.left, rows.first)

@@ -11,6 +11,8 @@ import sandbox
 from sandbox import SetSurface, StartDrag
 from sandbox.errors import CommandError
 from sandbox.render.frame import capture
+from sandbox.world.patterns import KnownPatterns
+from tests.flat import circle
 
 COMB = [[0, 0], [4, 0], [4, 2], [3, 2], [3, 1], [1, 1], [1, 2], [0, 2]]
 SHAPES = {
@@ -156,3 +158,21 @@ def test_what_cannot_be_is_told_and_changes_nothing(command, words):
     with pytest.raises(CommandError, match=words):
         w.apply(command)
     assert w.snapshot() == before
+
+
+def test_a_density_that_another_one_was_given_is_not_worked_out_again(monkeypatch):
+    bodies = [{"id": name, "position": [3 * k, 0], "shapes": [{"box": [1, 2]}]} for k, name in enumerate("xy")]
+    w = sandbox.World(sandbox.Scene(bodies=bodies))
+    w.apply(SetSurface("x", density=2.5))
+    for place in ("patterns", "body_rows"):
+        monkeypatch.setattr(f"sandbox.world.{place}.build_patterns", lambda *_: pytest.fail("worked out again"))
+    w.apply(SetSurface("y", density=2.5))
+    assert w.body("x").mass == w.body("y").mass == 5.0
+
+
+def test_shapes_that_differ_in_the_sign_of_a_zero_are_not_taken_for_each_other():
+    patterns = KnownPatterns()
+    one, two = ((circle(0.5, (x, 0.0)),) for x in (0.0, -0.0))
+    found = [patterns.weighed(shapes, (2.0,)) for shapes in (one, two, one)]
+    assert [math.copysign(1.0, shapes[0].vertices[0][0]) for shapes in found] == [1.0, -1.0, 1.0]
+    assert found[0] is found[2]

@@ -5,13 +5,11 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from typing import Any
 
-import numpy as np
-
 from sandbox.engine.commands.base import CommandTarget, Touched
 from sandbox.engine.commands.body_command import BodyCommand
 from sandbox.engine.commands.checks import title
 from sandbox.errors import CommandError, SceneError
-from sandbox.tables import Integers
+from sandbox.tables import plain
 from sandbox.world.records import SURFACE
 from sandbox.world.reweigh import reweigh
 from sandbox.world.shape_rows import first_shape
@@ -50,7 +48,7 @@ class SetSurface(BodyCommand):
 
     def change(self, state: State, row: int) -> None:
         """Write the new surface. Raises `CommandError`, and changes nothing, for values that no scene may have."""
-        rows = np.arange(first_shape(state.shapes, row), first_shape(state.shapes, row + 1))
+        all_rows = rows = range(first_shape(state.shapes, row), first_shape(state.shapes, row + 1))
         if self.shape is not None:
             if not 0 <= self.shape < len(rows):
                 raise CommandError(f"{title(self)}: the body has no shape {self.shape}, but {len(rows)}")
@@ -59,9 +57,9 @@ class SetSurface(BodyCommand):
         allowing = {name: value for name in ("density", "bumper") if (value := getattr(self, name)) is not None}
         _check(self, given | allowing)
         if self.density is not None:
-            _weigh(state, row, rows, self)
+            _weigh(state, row, all_rows, self)
         for name, value in given.items():
-            state.shapes[name][rows] = value
+            plain(state.shapes)[name][rows.start : rows.stop] = value
 
 
 def _check(command: SetSurface, given: dict[str, Any]) -> None:
@@ -73,9 +71,10 @@ def _check(command: SetSurface, given: dict[str, Any]) -> None:
         raise CommandError(f"{title(command)}: {error.problems[0].message}") from None
 
 
-def _weigh(state: State, row: int, rows: Integers, command: SetSurface) -> None:
-    densities = state.shapes.density.copy()
-    densities[rows] = command.density
-    fault = reweigh(state, row, densities[state.shapes.body == row].tolist())
+def _weigh(state: State, row: int, rows: range, command: SetSurface) -> None:
+    densities = plain(state.shapes)["density"][rows.start : rows.stop].tolist()
+    for k in range(len(rows)) if command.shape is None else (command.shape,):
+        densities[k] = command.density
+    fault = reweigh(state, row, rows.start, densities)
     if fault is not None:
         raise CommandError(f"{title(command)}: {fault}")

@@ -122,10 +122,10 @@ def find_events(
     now: Any = plain(state.contacts)[: int(counter["contact_count"])]
     old: Any = plain(last_step.before)[: int(counter["old_contact_count"])]
     did: Any = plain(last_step.reports)[: len(now)]
-    before, after = last_step.in_doubt or (np.arange(len(old)), np.arange(len(now)))
-    touched, touches = (some[each["touching"][some] == 1] for each, some in ((old, before), (now, after)))
+    before, after = last_step.in_doubt or (None, None)
+    touched, touches = _where(old["touching"], 1, before), _where(now["touching"], 1, after)
     old_keys, keys = _keys(old, touched), _keys(now, touches)
-    struck = after[did["hit_speed"][after] >= HIT_SPEED * state.settings[0].units_per_meter]
+    struck = _where(did["hit_speed"], HIT_SPEED * float(plain(state.settings)["units_per_meter"][0]), after)
     began, went = differences(keys, old_keys)
     fresh, ended = touches[began], touched[went]
     stirred = np.flatnonzero(bodies["stirred"])
@@ -145,6 +145,11 @@ def find_events(
         np.flatnonzero(plain(state.joints)["broken_step"] == step - 1) if counter["broken_count"] else _NO_BODIES,
         rows[1],
     )
+
+
+def _where(column: Any, least: float, rows: Integers | None) -> Integers:
+    """The rows in which a column is no less than that, of some or of all; these need not be picked out first."""
+    return np.flatnonzero(column >= least) if rows is None else rows[column[rows] >= least]
 
 
 def _entered_and_left(before: Any, after: Any) -> tuple[Records, Records]:

@@ -114,7 +114,7 @@ class Fields(NamedTuple):
 def last_switch(state: State) -> int:
     """The last step in which a region or a thruster begins or ceases to act; -1 if none ever does."""
     tables = [plain(table) for table in (state.regions, state.thrusters) if len(table)]
-    steps = np.concatenate(
-        [np.zeros(0, np.int64), *(table[f"{end}_step"] for table in tables for end in ("start", "end"))]
-    )
+    if not tables:
+        return -1
+    steps = np.concatenate([table[f"{end}_step"] for table in tables for end in ("start", "end")])
     return int(steps[(steps > 0) & (steps < NEVER)].max(initial=-1))

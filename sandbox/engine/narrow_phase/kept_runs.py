@@ -37,7 +37,7 @@ def keep_runs(active: ActiveSet, contacts: Contacts, moved: Moved) -> None:
     count = cursor[f"runs{last}"] = len(first)
     own["first"][:count], own["end"][:count] = first - np.searchsorted(gone, first), end - np.searchsorted(gone, end)
     own["number"][:count] = number
-    _list_others(contacts, moved, gone)
+    _list_others(contacts, moved)
 
 
 def rows_in_doubt(
@@ -107,12 +107,12 @@ def _cut(own: Any, rows: Integers) -> tuple[Integers, Integers, Integers]:
     return starts, ends, number[owner] + starts - first[owner]
 
 
-def _list_others(contacts: Contacts, moved: Moved, gone: Integers) -> None:
+def _list_others(contacts: Contacts, moved: Moved) -> None:
     """List the contacts that are in no run: those that were listed and are left, and those that name others now."""
     listed: Any = plain(contacts.active)
-    rows = np.union1d(listed["contact"][1 : 1 + int(listed["contact"][0])], moved.renamed).astype(np.int64)
-    rows = rows[moved.contacts[rows]]
-    rows -= np.searchsorted(gone, rows)
+    others = np.zeros(len(moved.contacts), np.bool_)  # flags: to sort the rows takes most of a deletion
+    others[listed["contact"][1 : 1 + int(listed["contact"][0])]] = others[moved.renamed] = True
+    rows = np.flatnonzero(others[moved.contacts])
     listed["contact"][0] = len(rows)
     listed["contact"][1 : 1 + len(rows)] = rows
     table: Any = plain(contacts.before)

@@ -41,7 +41,8 @@ class AtRest:
             return None
         active: Any = plain(self._contacts.active)
         active = active[1 : 1 + int(active["contact"][0])]
-        near = _among(active["body_a"], rows) | _among(active["body_b"], rows)
+        bodies = len(self._contacts.first_kept)
+        near = _among(active["body_a"], rows, bodies) | _among(active["body_b"], rows, bodies)
         return np.union1d(kept, active["contact"][near]).astype(np.int64)
 
     def members(self, bodies: Records, islands: Integers) -> Integers | None:
@@ -50,7 +51,9 @@ class AtRest:
         if info["stale"]:
             return None
         island, listed = plain(bodies)["island"], int(info["bodies"])
-        found = (listed + np.flatnonzero(_among(island[listed:], islands))).tolist()  # who has come, or has another row
+        found = (
+            listed + np.flatnonzero(_among(island[listed:], islands, len(island) + 1))
+        ).tolist()  # who has come, or has another row
         for root in islands.tolist():
             if root > listed:
                 continue
@@ -98,6 +101,10 @@ def _is_of(contact: Any, body: int, shapes: tuple[int, int]) -> bool:
     return _shapes(contact) == shapes and body in (contact["body_a"], contact["body_b"])
 
 
-def _among(column: Integers, rows: Integers) -> Any:
-    """Which of a column are some rows."""
-    return column == rows[0] if len(rows) == 1 else np.isin(column, rows)
+def _among(column: Integers, rows: Integers, count: int) -> Any:
+    """Which of a column are some rows, all of them below a count. `np.isin` sorts, or looks for the least and most."""
+    if len(rows) == 1:
+        return column == rows[0]
+    chosen = np.zeros(count, np.bool_)
+    chosen[rows] = True
+    return chosen[column]
