@@ -92,7 +92,7 @@ class World(Readings, Shown, FixedAttributes):
         events.
         """
         n = checked_count("World.step", n)
-        self._backlog.settle()
+        self._backlog.settle()  # before the calls take what rows there are
         self._stepper.compile()
         object.__setattr__(self, "_changes", self._changes + 1)  # ours looks up what may be set: 1 us
         if self._game is None and self._paths is None:
