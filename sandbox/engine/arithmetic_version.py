@@ -108,6 +108,8 @@ NOTES: dict[int, str] = {
     46: "contacts of jointed bodies are soft enough for what is joined to them, and stiffen up to 2.5 times; light "
     "bodies at which heavy jointed parts stand get finer substeps",
     47: "what nothing but friction joints or slack ropes hold takes the usual substeps",
+    48: "round ends that jut out of what covers a corner of their line are touched all around; jointed bodies that "
+    "bounce move in other units as in metres",
 }
 """For each number, what changed the bits. The next change appends a line; no line is ever taken away."""
 

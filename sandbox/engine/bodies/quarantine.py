@@ -15,9 +15,9 @@ from sandbox.tables import Integers, Records
 from sandbox.world.records import STATIC
 
 MAX_SPEED = 1e7
-"""Metres or radians a second past which a velocity counts as broken."""
+"""Units of length, or radians, a second past which a velocity counts as broken."""
 MAX_COORDINATE = 1e9
-"""Metres from the origin past which a body counts as lost."""
+"""Units of length from the origin past which a body counts as lost."""
 
 
 @kernel
