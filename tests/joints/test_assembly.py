@@ -176,6 +176,7 @@ def test_only_parts_of_a_new_kind_are_laid_out(monkeypatch):
     layouts = w._stepper._layouts
     assert len(layouts.known) == 3
     w.apply(Delete(tuple(f"c{k}" for k in range(7))))
+    assert "c0" not in w.names
     assert len(layouts.known) == 2
     same(w.state.joints, w.state.bodies, layouts)
 
