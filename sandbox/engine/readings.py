@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from sandbox.engine.commands.backlog import Backlog
+from sandbox.engine.commands.deferred import Deferred
 from sandbox.engine.events.event_log import EventLog
 from sandbox.engine.events.events import Events
 from sandbox.engine.memory.scratch import Scratch
@@ -29,7 +29,7 @@ class Readings:
     __slots__ = ()
 
     state: State
-    _backlog: Backlog
+    _deferred: Deferred
     _changes: int
     _directory: Directory
     _events: EventLog
@@ -43,7 +43,7 @@ class Readings:
     @property
     def directory(self) -> Directory:
         """From ids to rows, as they are now."""
-        self._backlog.settle()
+        self._deferred.apply()
         return self._directory
 
     @property
@@ -96,13 +96,13 @@ class Readings:
     @property
     def events(self) -> Events:
         """What happened during the last step: contacts that began, ended or struck, sensors, sleep. Ask every step."""
-        self._backlog.settle()
+        self._deferred.apply()
         return self._events.events(self.scratch)
 
     @property
     def sensed(self) -> tuple[tuple[str, str], ...]:
         """(sensor's body, other body) for everything that a sensor has in it now, each pair once, in scene order."""
-        self._backlog.settle()
+        self._deferred.apply()
         rows = self._events.sensed
         if rows is None:
             return ()
@@ -133,7 +133,7 @@ class Readings:
     @property
     def scratch(self) -> Scratch:
         """What the last step left in its memory (boxes, proposed pairs), for tools that look into it; read only."""
-        self._backlog.settle()
+        self._deferred.apply()
         return self._stepper.scratch
 
     @property

@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING, Any, TypeAlias
 from sandbox._collecting import collection_postponed
 from sandbox.arguments import MOST_WORKERS, check_kind, checked_count, shown
 from sandbox.attributes import FixedAttributes, attributes_besides
-from sandbox.engine.commands.backlog import Backlog
 from sandbox.engine.commands.base import Command, Touched, Vec
+from sandbox.engine.commands.deferred import Deferred
 from sandbox.engine.commands.delete import Delete, take_out
 from sandbox.engine.commands.set_gravity import SetGravity
 from sandbox.engine.commands.spawn import Spawn
@@ -57,8 +57,20 @@ class World(Readings, Shown, FixedAttributes):
     """
 
     __slots__ = (
-        "__weakref__", "_backlog", "_changes", "_directory", "_events", "_game", "_last_switch", "_paths", "_queries",
-        "_spawning", "_stepper", "bodies", "scene", "state",
+        "__weakref__",
+        "_changes",
+        "_deferred",
+        "_directory",
+        "_events",
+        "_game",
+        "_last_switch",
+        "_paths",
+        "_queries",
+        "_spawning",
+        "_stepper",
+        "bodies",
+        "scene",
+        "state",
     )  # fmt: skip
 
     @collection_postponed()
@@ -92,7 +104,7 @@ class World(Readings, Shown, FixedAttributes):
         events.
         """
         n = checked_count("World.step", n)
-        self._backlog.settle()  # before the calls take what rows there are
+        self._deferred.apply()  # before the calls take what rows there are
         self._stepper.compile()
         object.__setattr__(self, "_changes", self._changes + 1)  # ours looks up what may be set: 1 us
         if self._game is None and self._paths is None:
@@ -102,7 +114,7 @@ class World(Readings, Shown, FixedAttributes):
             self._play_step()
 
     def _advance(self, n: int) -> None:
-        self._backlog.settle()
+        self._deferred.apply()
         singly = self._events.sensed is not None
         while n > 0:
             try:
@@ -139,9 +151,9 @@ class World(Readings, Shown, FixedAttributes):
             raise CommandError(f"{shown(command)} is no command; commands are such as sandbox.SetPose")
         object.__setattr__(self, "_changes", self._changes + 1)  # as in a step
         command = command.checked()
-        if command.put_off(self):
+        if command.defer(self):
             return
-        self._backlog.settle()
+        self._deferred.apply()
         if command.outdates_events:
             self._events.work_out(self.scratch)
         self._note(command.apply(self))
@@ -174,9 +186,9 @@ class World(Readings, Shown, FixedAttributes):
         return self._spawning
 
     @property
-    def backlog(self) -> Backlog:
+    def deferred(self) -> Deferred:
         """What waits to be done with others."""
-        return self._backlog
+        return self._deferred
 
     def body(self, name: str) -> BodyView:
         """The body of that id. Raises `UnknownBodyError` with the nearest name."""
@@ -210,7 +222,7 @@ class World(Readings, Shown, FixedAttributes):
             raise SnapshotError(f"a snapshot is bytes, as World.snapshot gives them, not {shown(data)}")
         if untold is not None:
             check_kind("World.restore", "as untold what World.untold gave", untold, Untold)
-        self._backlog.settle()
+        self._deferred.apply()
         self._changes += 1
         layout, wiring = self.layout, self._stepper.wiring()
         restore(self.state, bytes(data), self._read_roster)
@@ -227,7 +239,7 @@ class World(Readings, Shown, FixedAttributes):
     @property
     def untold(self) -> Untold:
         """What the events of the next step have to know and no snapshot holds: for `restore`."""
-        self._backlog.settle()
+        self._deferred.apply()
         return self._events.untold
 
     def __reduce_ex__(self, protocol: Any) -> tuple[Any, ...]:
@@ -244,7 +256,7 @@ class World(Readings, Shown, FixedAttributes):
     def _know_rows(self) -> None:
         """Note where everybody is now, and when fields begin and end."""
         self._directory = Directory(self.state)
-        self._backlog = Backlog(self.state, self._directory, self._settle)
+        self._deferred = Deferred(self.state, self._directory, self._apply_deferred)
         self._last_switch = last_switch(self.state)
 
     def _know_play(self) -> None:
@@ -260,9 +272,9 @@ class World(Readings, Shown, FixedAttributes):
             self._paths = Paths(state, lambda rows: self._note(Touched(bodies=tuple(rows))))
 
     @collection_postponed()
-    def _settle(self) -> None:
-        """Do what commands have left to the backlog."""
-        going, coming = self._backlog.take()
+    def _apply_deferred(self) -> None:
+        """Do what was deferred."""
+        going, coming = self._deferred.take()
         if going:
             self._events.note_going(self.scratch, going)
             self._note(take_out(self, bodies=[row for rows in going for row in rows]))

@@ -63,13 +63,13 @@ class State:
     patterns: KnownPatterns = field(default_factory=KnownPatterns)
     _body_words: tuple[Records, FloatWords, WholeWords] | None = field(default=None, init=False, repr=False)
     """The words of a table of bodies, which is another one when bodies have come or gone."""
-    _settle: Callable[[], None] | None = field(default=None, init=False, repr=False)
-    """What brings it up to date, while it is `Unsettled`."""
+    _deferred: Callable[[], None] | None = field(default=None, init=False, repr=False)
+    """What brings it up to date, while it is `Deferring`."""
 
-    def put_off(self, settle: Callable[[], None]) -> None:
-        """Something is still to be changed in it: whoever asks for anything has `settle` called first."""
-        self._settle = settle
-        self.__class__ = Unsettled
+    def defer(self, apply: Callable[[], None]) -> None:
+        """Something is still to be changed in it: whoever asks for anything has `apply` called first."""
+        self._deferred = apply
+        self.__class__ = Deferring
 
     def body_words(self, row: int) -> tuple[FloatWords, WholeWords]:
         """The words of a body's row as floats and as whole numbers, by `BodyPlace`."""
@@ -100,21 +100,21 @@ class State:
         return tuple(getattr(self, name) for name in ARRAYS)
 
 
-class Unsettled(State):
+class Deferring(State):
     """A state in which something is still to be changed. It looks like any other, as nobody can see it so."""
 
     def __getattribute__(self, name: str) -> Any:
-        settled(self)
+        apply_deferred(self)
         return getattr(self, name)
 
     def __setattr__(self, name: str, value: Any) -> None:
-        settled(self)
+        apply_deferred(self)
         setattr(self, name, value)
 
 
-def settled(state: Unsettled) -> None:
+def apply_deferred(state: Deferring) -> None:
     """Let it be one like any other, and have that done which was put off."""
     own = object.__getattribute__(state, "__dict__")
-    settle, own["_settle"] = own["_settle"], None
+    apply, own["_deferred"] = own["_deferred"], None
     object.__setattr__(state, "__class__", State)
-    settle()
+    apply()

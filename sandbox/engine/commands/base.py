@@ -14,7 +14,7 @@ from sandbox.world.rows import Added, Moved
 from sandbox.world.state import State
 
 if TYPE_CHECKING:
-    from sandbox.engine.commands.backlog import Backlog
+    from sandbox.engine.commands.deferred import Deferred
     from sandbox.engine.queries.queries import Queries
     from sandbox.scene.spawned import Spawning
 
@@ -37,7 +37,7 @@ class CommandTarget(Protocol):
         """Reads what is spawned."""
 
     @property
-    def backlog(self) -> Backlog:
+    def deferred(self) -> Deferred:
         """What waits to be done with others."""
 
     @property
@@ -87,9 +87,8 @@ class Command(ABC):
         """
         return checked(self, self.UNLIMITED)
 
-    def put_off(self, target: CommandTarget) -> bool:
-        """Leave it to the backlog, with others of its kind; False if it is to be done at once. The command is a
-        `checked` one.
+    def defer(self, target: CommandTarget) -> bool:
+        """Leave it to the deferred commands; False if it is to be done at once. The command is a `checked` one.
 
         Raises `UnknownBodyError`, and changes nothing, if it cannot be done.
         """

@@ -39,9 +39,9 @@ class Delete(Command):
         _check_ids(self, self.bodies)
         return self
 
-    def put_off(self, target: CommandTarget) -> bool:
+    def defer(self, target: CommandTarget) -> bool:
         """Let the bodies wait until they are asked for."""
-        target.backlog.remove(_listed(self.bodies))
+        target.deferred.remove(_listed(self.bodies))
         return True
 
     def apply(self, target: CommandTarget) -> Touched:

@@ -53,12 +53,12 @@ class Spawn(Command):
         return {name: value for name, value in super().to_words().items() if value != ()}
 
     @collection_postponed()
-    def put_off(self, target: CommandTarget) -> bool:
+    def defer(self, target: CommandTarget) -> bool:
         """Let bodies wait that are like others before, by themselves, and free to move."""
         if self.joints or self.regions:
             return False
-        found = target.spawning.read_known(_listed(self.bodies), (), target.backlog.known())
-        return found is not None and target.backlog.add(found)
+        found = target.spawning.read_known(_listed(self.bodies), (), target.deferred.known())
+        return found is not None and target.deferred.add(found)
 
     @collection_postponed()
     def apply(self, target: CommandTarget) -> Touched:

@@ -12,7 +12,7 @@ from typing import NamedTuple, TypeAlias
 from sandbox.scene.known import Known
 from sandbox.scene.spawned import Spawned
 from sandbox.world.directory import Directory
-from sandbox.world.state import State, Unsettled, settled
+from sandbox.world.state import Deferring, State, apply_deferred
 
 Rows: TypeAlias = tuple[int, ...]
 
@@ -24,13 +24,13 @@ class Waiting(NamedTuple):
     coming: list[Spawned]
 
 
-class Backlog:
-    """What waits in one world. `settle` does it: it is called once, and takes what waits."""
+class Deferred:
+    """The deferred commands of one world. What they ask for is done by `apply`, once, which takes what waits."""
 
-    __slots__ = ("_bodies", "_directory", "_names", "_patterns", "_settle", "_shapes", "_state", "_waiting")
+    __slots__ = ("_apply", "_bodies", "_directory", "_names", "_patterns", "_shapes", "_state", "_waiting")
 
-    def __init__(self, state: State, directory: Directory, settle: Callable[[], None]) -> None:
-        self._state, self._directory, self._settle = state, directory, settle
+    def __init__(self, state: State, directory: Directory, apply: Callable[[], None]) -> None:
+        self._state, self._directory, self._apply = state, directory, apply
         self._patterns = state.patterns
         self._waiting = Waiting([], [])
         self._names: set[str] = set()
@@ -38,10 +38,10 @@ class Backlog:
         self._bodies = self._shapes = 0
         """How many bodies come, and how many shapes there are with theirs."""
 
-    def settle(self) -> None:
+    def apply(self) -> None:
         """Do what waits, if something does."""
-        if isinstance(self._state, Unsettled):
-            settled(self._state)
+        if isinstance(self._state, Deferring):
+            apply_deferred(self._state)
 
     def take(self) -> Waiting:
         """What waits, for who does it now."""
@@ -51,14 +51,14 @@ class Backlog:
 
     def known(self) -> Known:
         """What a body that comes may refer to. Those that go are no longer there, but still count."""
-        if not isinstance(self._state, Unsettled):
+        if not isinstance(self._state, Deferring):
             self._shapes = len(self._state.shapes)
         return self._directory.known(self._shapes, self._bodies)
 
     def remove(self, names: Sequence[str]) -> None:
         """Bodies of those ids go. Raises `UnknownBodyError`, and lets none of them wait, if there is no such body."""
         if not self._names.isdisjoint(names):  # what comes has no row yet
-            self.settle()
+            self.apply()
         rows = [self._directory.standing(name) for name in names]
         self._directory.remove(names)
         self._wait()
@@ -79,6 +79,6 @@ class Backlog:
         return True
 
     def _wait(self) -> None:
-        if not isinstance(self._state, Unsettled):
+        if not isinstance(self._state, Deferring):
             self._shapes = len(self._state.shapes)
-            self._state.put_off(self._settle)
+            self._state.defer(self._apply)

@@ -150,31 +150,6 @@ def test_joints_of_who_waits_to_go_are_gone() -> None:
     assert world.joint_names == ("hinge",)
 
 
-def test_joints_part_in_the_step_though_others_have_come_before() -> None:
-    links = [ball(f"link{k}", 20.0 + 0.5 * k, 9.0) for k in range(6)]
-    hinges = [
-        {
-            "id": f"hinge{k}",
-            "type": "revolute",
-            "bodies": [f"link{k}", f"link{k + 1}"],
-            "anchor": [20.25 + 0.5 * k, 9.0],
-        }
-        for k in (0, 2, 4)
-    ]
-    one = make([GROUND, *links], hinges)
-    one.spawn(ball("first"))  # takes memory for more
-    one.step(3)
-    two = copy.deepcopy(one)
-    for world in (one, two):
-        world.spawn(ball("new"))
-        assert "new" in world.names  # has it done
-        world.delete("link1")
-        if world is one:
-            assert "link1" not in world.names
-        world.step(3)
-    same_told(one, two)
-
-
 LOOKS: dict[str, Any] = {
     "state": lambda world: world.state.names,
     "directory": lambda world: [world.directory.has_body(name) for name in ("b1", "new")],
