@@ -12,7 +12,7 @@ from sandbox._atomics import atomic_add
 from sandbox._jit import kernel
 from sandbox.engine.active.free_bodies import put_free_last
 from sandbox.engine.active.island_batches import form_batches, sort_impacts, worth_batches
-from sandbox.engine.bodies.flags import is_active
+from sandbox.engine.bodies.integrate import prepare_forces
 from sandbox.engine.contact_solver.blocks import BLOCK_SIZE
 from sandbox.engine.contact_solver.closing_speed import bounce_threshold
 from sandbox.engine.contact_solver.fill_blocks import fill_blocks, sort_contacts
@@ -36,7 +36,6 @@ from sandbox.engine.restitution.worklist import link_contacts
 from sandbox.engine.substeps import Pass, run_substeps
 from sandbox.engine.workers.parallel_for import first_part, next_part
 from sandbox.engine.workers.task_kinds import IMPACT_SPEED, IMPACTS, LEVEL, SOLVE_ISLANDS, UNSETTLED
-from sandbox.tables import Integers, Records
 
 
 class Level(NamedTuple):
@@ -76,11 +75,10 @@ def solve_level(
     batches = blocks.batches
     rows = active.bodies[1 : 1 + active.bodies[0]]
     worth = worth_batches(contacts.active[0].contact, batches)
-    colors = color_contacts(state.bodies, active, solver, contacts, number, level.mixed, worth, blocks)
-    count = form_batches(rows, solver, state.drags, joints, worth, batches)
+    colors, bits = color_contacts(state.bodies, active, solver, contacts, number, level.mixed, worth, blocks)
+    count = form_batches(rows, solver, state.drags, joints, number, level.mixed, worth, batches)
     sort_contacts(contacts, solver.batches, blocks, count)
     impacts = _list_impacts(state, solver, contacts, blocks, level, count)
-    bits = _unsettled_bits(state.bodies, rows, solver.free_motions, solver.ccd, number)
     share = Share(number, impacts > 0 or bits & STRUCK != 0, active.info[0].impact_speed, bits, colors)
     _tell(workers, share)
     first = 0
@@ -95,16 +93,6 @@ def solve_level(
             first = end
     state.counters[0].frozen_count += workers.words[FROZEN]
     return int(colors)
-
-
-@kernel
-def _unsettled_bits(bodies: Records, rows: Integers, free_motions: Records, ccd_bodies: Records, level: int) -> int:
-    """What the bodies of a substep level have of the bits of `unsettled`."""
-    found = 0
-    for i in rows:
-        if ccd_bodies[i].unsettled != 0 and free_motions[i].substep_level == level and is_active(bodies[i]):
-            found |= ccd_bodies[i].unsettled
-    return found
 
 
 @kernel
@@ -160,7 +148,9 @@ def solve_batches(
     team = _team(workers, first > 0)
     bodies = state.bodies
     level = share.level
-    spring = contact_spring(state.settings[0], level)
+    setting = state.settings[0]
+    spring = contact_spring(setting, level)
+    seconds = setting.step_seconds / (setting.substeps << level)
     frozen = 0
     for batch in range(first, end):
         members = batches.bodies[batches.first_body[batch] : batches.first_body[batch + 1]]
@@ -173,6 +163,8 @@ def solve_batches(
         forget_passes(rows)
         ranges = fill_blocks(solver.colors, own, batch)
         criteria = ImpactCriteria(share.impacts, ranges.struck, share.impact_speed)
+        # It reads rows of bodies one after the other, which contacts then find in the cache.
+        prepare_forces(bodies, members[:held], solver, setting, seconds, team)
         prepare_contacts(state, solver, contacts.now, own, ranges.total, team, spring, criteria)
         todo = Pass(level, batch, touched, held, ranges, share.unsettled & NEW != 0, share.impacts)
         frozen += run_substeps(state, active, solver, contacts, own, joints, team, members, todo)

@@ -7,7 +7,7 @@ from typing import Any, NamedTuple
 
 from sandbox._jit import kernel
 from sandbox.engine.bodies.free_flight import Flight, fly
-from sandbox.engine.bodies.integrate import integrate_velocities, prepare_forces
+from sandbox.engine.bodies.integrate import integrate_velocities
 from sandbox.engine.bodies.integrate_positions import Scale, integrate_positions
 from sandbox.engine.bodies.quarantine import guard_velocities
 from sandbox.engine.contact_solver.mouse_joint import solve_mouse_joints
@@ -115,25 +115,25 @@ def run_substeps(
     warm = course.warm
     rigid = course.passes.rigid
 
-    prepare_forces(bodies, rows, solver, todo.level, setting, seconds, workers)
     if jointed:
         workers.numbers[SLOTS] = blocks.blocks[count - 1].first + blocks.blocks[count - 1].count if count > 0 else 0
         call_joints(contacts, workers, SELECT, seconds)
     scale = Scale(course.gravity, unit)
     flight = Flight(substeps, seconds, scale, todo.impacts)
-    frozen = fly(bodies, rows, todo.held_count, solver, active.info, course.step, flight, workers)
+    frozen = fly(bodies, rows, todo.held_count, solver, setting, active.info, course.step, flight, workers)
     touched = rows[: todo.touched_count]
     rows = rows[: todo.held_count]
     late = 0  # impacts without restitution, no more than the scene's own substeps would have
     for substep in range(substeps):
-        integrate_velocities(rows, solver, workers)
+        frozen += integrate_velocities(bodies, rows, solver, active.info, course.step, workers)
         if listed > 0:
             call_strikes(contacts, workers, todo.batch, seconds)
-        if struck_count > 0 and substep == 0:
+        stops = struck_count > 0 and substep == 0
+        if stops:
             stop_struck(bodies, solver, struck, blocks, struck_count, workers, rigid, unit)
-        if rest:
-            solve_mouse_joints(state, solver, todo.level, seconds)
-        frozen += guard_velocities(bodies, rows, solver, active.info, course.step, workers)
+        drags = rest and solve_mouse_joints(state, solver, todo.level, seconds)
+        if listed > 0 or stops or drags:
+            frozen += guard_velocities(bodies, rows, solver, active.info, course.step, workers)
         _begin_impulses(touched, solver, blocks, count, workers, warm, substep)
         if jointed:
             _solve_joints(touched, solver, contacts, workers, warm, seconds)

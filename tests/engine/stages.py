@@ -67,9 +67,15 @@ def plain(argument: Any) -> Any:
     return kernel_argument(argument)
 
 
-def prepare_forces(bodies: Any, rows: Any, solver: Any, level: int, settings: Any, seconds: float) -> None:
+def begin_bodies(bodies: Any, rows: Any, motions: Any, free_motions: Any) -> None:
+    """Load the velocities."""
+    for i in rows:
+        integrate.begin_motion(bodies[i], motions[i], free_motions[i])
+
+
+def prepare_forces(bodies: Any, rows: Any, solver: Any, settings: Any, seconds: float) -> None:
     """Takes the table of settings: a row cannot be passed from Python."""
-    integrate.prepare_some_forces(bodies, rows, solver, level, settings[0], seconds)
+    integrate.prepare_some_forces(bodies, rows, solver, settings[0], seconds)
 
 
 update_active_set = stage(active_set.update_active_set)
@@ -91,7 +97,7 @@ begin_parts = stage(velocity_parts.begin_parts)
 turn_parts = stage(velocity_parts.turn_parts)
 add_parts = stage(velocity_parts.add_parts)
 solve_contacts = stage(solve.solve_contacts)
-begin_motions = stage(integrate.begin_motions)
+begin_motions = stage(begin_bodies)
 prepare_setting = stage(prepare_forces)
 integrate_velocities = stage(integrate.integrate_velocities)
 integrate_positions = stage(positions.integrate_positions)
@@ -199,7 +205,7 @@ class Paused:
     def lay_out(self) -> None:
         """Colours, slots, blocks and lanes."""
         s, m = self.state, self.scratch
-        self.colors = color_contacts(s.bodies, m.active, m.solver, m.contacts, 0, False, False, m.blocks)
+        self.colors, _ = color_contacts(s.bodies, m.active, m.solver, m.contacts, 0, False, False, m.blocks)
         sort_contacts(m.contacts, m.solver.batches, m.blocks, 1)
         self.blocks = BlockRanges(*fill_blocks(m.solver.colors, m.blocks, 0)).total
         assert self.blocks <= len(m.blocks.blocks)
@@ -230,9 +236,9 @@ class Paused:
         """Load the velocities and add a substep of gravity."""
         s, m = self.state, self.scratch
         self.survey()
-        begin_motions(s.bodies, self.active_bodies, m.solver)
-        prepare_setting(s.bodies, self.active_bodies, m.solver, 0, s.settings, self.substep)
-        integrate_velocities(self.active_bodies, m.solver, m.workers)
+        begin_motions(s.bodies, self.active_bodies, m.solver.motions, m.solver.free_motions)
+        prepare_setting(s.bodies, self.active_bodies, m.solver, s.settings, self.substep)
+        integrate_velocities(s.bodies, self.active_bodies, m.solver, m.active.info, 0, m.workers)
 
     def warm(self) -> None:
         """Warm start."""

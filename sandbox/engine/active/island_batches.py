@@ -9,7 +9,7 @@ dragged, touch something that drives them, or have contacts without a colour.
 
 from __future__ import annotations
 
-from sandbox._jit import kernel
+from sandbox._jit import inlined_kernel, kernel
 from sandbox.engine.active.islands import root_of
 from sandbox.engine.bodies.flags import IMMOVABLE
 from sandbox.engine.contact_solver.graph_coloring import TOO_MANY
@@ -18,6 +18,9 @@ from sandbox.engine.joints.stages import has_joints
 from sandbox.engine.records.batches import Batches
 from sandbox.engine.records.bodies import SolverBodies
 from sandbox.tables import Integers, Records
+
+ELSEWHERE = -1
+"""In the place of the batch of a body that the solver moves at another substep level."""
 
 
 @kernel
@@ -28,22 +31,34 @@ def worth_batches(contacts: int, batches: Batches) -> bool:
 
 @kernel
 def form_batches(
-    rows: Integers, solver: SolverBodies, drags: Records, joints: JointWork, worth: bool, batches: Batches
+    rows: Integers,
+    solver: SolverBodies,
+    drags: Records,
+    joints: JointWork,
+    level: int,
+    mixed: bool,
+    worth: bool,
+    batches: Batches,
 ) -> int:
     """Write `solver.batches`, the batch of each active body of `rows`, and the bodies of each; returns how many.
+
+    Those that the solver moves at another level than this one are in none (`mixed`: there are such).
 
     It is one that has them all, unless more are `worth` it: then `color_contacts` has united islands, counted their
     contacts and marked what fits into no batch. What joints unite is left in batch 0 as a whole, since each part of it
     has a joint.
     """
     if not worth:
-        return _keep_together(rows, batches)
+        return _keep_together(rows, solver, level, mixed, batches)
     counts = solver.batches
     jointed = has_joints(joints)
     for k in range(drags.shape[0]):
         if drags[k].body >= 0 and solver.colors[drags[k].body] != IMMOVABLE:
             counts[drags[k].body] = TOO_MANY
     for i in rows:
+        if mixed and _is_elsewhere(i, solver, level):
+            counts[i] = ELSEWHERE
+            continue
         if jointed and joints.part_of[i] >= 0:
             counts[i] = TOO_MANY
         root = root_of(solver.islands, i)
@@ -55,13 +70,22 @@ def form_batches(
     return count
 
 
+@inlined_kernel
+def _is_elsewhere(i: int, solver: SolverBodies, level: int) -> bool:
+    """Whether the solver moves a body at another level."""
+    return bool(solver.colors[i] != IMMOVABLE and solver.free_motions[i].substep_level != level)
+
+
 @kernel
-def _keep_together(rows: Integers, batches: Batches) -> int:
+def _keep_together(rows: Integers, solver: SolverBodies, level: int, mixed: bool, batches: Batches) -> int:
     """All bodies in one batch."""
-    for k in range(rows.shape[0]):
-        batches.bodies[k] = rows[k]
+    count = 0
+    for i in rows:
+        if not (mixed and _is_elsewhere(i, solver, level)):
+            batches.bodies[count] = i
+            count += 1
     batches.first_body[0] = 0
-    batches.first_body[1] = rows.shape[0]
+    batches.first_body[1] = count
     return 1
 
 
@@ -74,6 +98,8 @@ def _number_islands(rows: Integers, islands: Integers, counts: Integers, batches
     number = 0
     filled = size
     for i in rows:
+        if counts[i] == ELSEWHERE:
+            continue
         if islands[i] != i:
             counts[i] = counts[islands[i]]
             continue
@@ -95,13 +121,16 @@ def _sort_bodies(rows: Integers, of_body: Integers, batches: Batches, count: int
     for n in range(count + 1):
         first[n] = 0
     for i in rows:
-        first[of_body[i]] += 1
+        if of_body[i] != ELSEWHERE:
+            first[of_body[i]] += 1
     total = 0
     for n in range(count + 1):
         total += first[n]
         first[n] = total
     for k in range(rows.shape[0] - 1, -1, -1):
         n = of_body[rows[k]]
+        if n == ELSEWHERE:
+            continue
         first[n] -= 1
         batches.bodies[first[n]] = rows[k]
 

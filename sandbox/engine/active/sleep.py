@@ -11,14 +11,13 @@ import math
 from sandbox._jit import inlined_kernel, kernel
 from sandbox.engine.active.islands import find_islands
 from sandbox.engine.active.sleeping_islands import begin_member
-from sandbox.engine.bodies.flags import ISLAND_AWAKE, KEPT_AWAKE, SUPPORTED, disturbs, is_active
+from sandbox.engine.bodies.flags import ISLAND_AWAKE, KEPT_AWAKE, SUPPORTED, is_active
 from sandbox.engine.joints.records import JointWork
 from sandbox.engine.records.active_set import ActiveSet
 from sandbox.engine.records.bodies import SolverBodies
 from sandbox.engine.records.contacts import Contacts
 from sandbox.engine.records.state import StateTables
-from sandbox.tables import Integers, Records
-from sandbox.world.records import DYNAMIC, KINEMATIC
+from sandbox.tables import Records
 
 STILL_SPEED = 0.001
 """A body that has become faster while it was slow is about to slide or tip, unless it is slower than this, in m/s."""
@@ -29,50 +28,34 @@ CORRECTED = 0.5
 lasts. The factor is Box2D's."""
 
 
-@kernel
-def count_slow_time(bodies: Records, rows: Integers, solver: SolverBodies, seconds: float, unit: float) -> int:
-    """Count how long bodies have been slow; returns how many long enough to sleep. A metre is so many units of
+@inlined_kernel
+def count_slow_time(body: Records, moved: Records, flags: int, seconds: float, unit: float) -> bool:
+    """Count how long an awake body has been slow; returns whether long enough to sleep. A metre is so many units of
     length."""
-    rested = 0
-    for i in rows:
-        body = bodies[i]
-        if not is_active(body):
-            continue
-        moved = solver.motions[i]
-        slow = body.sleep_speed * unit
-        speed = _speed(body.velocity_x, body.velocity_y, body.angular_velocity * body.extent)
-        if speed >= slow:  # most that move: how fast they were moved need not be known
-            body.sleep_time = 0.0
-            continue
-        pace = _speed(moved.delta_x, moved.delta_y, moved.delta_angle * body.extent) * CORRECTED / seconds
-        speed = pace if pace > speed else speed
-        if speed >= slow or (solver.flags[i] & SUPPORTED == 0 and speed > 0.0):
-            body.sleep_time = 0.0
-            continue
-        if body.sleep_time == 0.0:
-            body.slow_speed = speed
-        body.sleep_time += seconds
-        nudged = body.sleep_time >= SLEEP_SECONDS and speed > STILL_SPEED * unit and speed > body.slow_speed
-        if nudged or solver.flags[i] & KEPT_AWAKE != 0:
-            body.sleep_time = 0.0
-        rested += 1 if body.sleep_time >= SLEEP_SECONDS else 0
-    return rested
+    slow: float = body.sleep_speed * unit
+    speed = _speed(body.velocity_x, body.velocity_y, body.angular_velocity * body.extent)
+    if speed >= slow:  # most that move: how fast they were moved need not be known
+        body.sleep_time = 0.0
+        return False
+    pace = _speed(moved.delta_x, moved.delta_y, moved.delta_angle * body.extent) * CORRECTED / seconds
+    speed = pace if pace > speed else speed
+    if speed >= slow or (flags & SUPPORTED == 0 and speed > 0.0):
+        body.sleep_time = 0.0
+        return False
+    if body.sleep_time == 0.0:
+        body.slow_speed = speed
+    time: float = body.sleep_time + seconds
+    nudged = time >= SLEEP_SECONDS and speed > STILL_SPEED * unit and speed > body.slow_speed
+    time = 0.0 if nudged or flags & KEPT_AWAKE != 0 else time
+    body.sleep_time = time
+    return time >= SLEEP_SECONDS
 
 
-@kernel
-def note_awake(bodies: Records, rows: Integers) -> tuple[int, int]:
-    """Note who has just woken: (dynamic bodies, driven ones that move), all of them awake."""
-    awake = 0
-    driven = 0
-    for i in rows:
-        body = bodies[i]
-        if body.type == DYNAMIC:
-            awake += 1
-            body.stirred = body.was_asleep
-            body.was_asleep = 0
-        elif body.type == KINEMATIC and disturbs(body):
-            driven += 1
-    return awake, driven
+@inlined_kernel
+def note_awake(body: Records) -> None:
+    """Note whether a body that is awake has just woken."""
+    body.stirred = body.was_asleep
+    body.was_asleep = 0
 
 
 @kernel

@@ -1,7 +1,4 @@
-"""Stages: what is done to each active body before the substeps, and after them by all workers.
-
-Some bodies at a time, so that loops which follow each other find them in the cache.
-"""
+"""Stages: what is done to each active body before the substeps, and after them by all workers."""
 
 from __future__ import annotations
 
@@ -10,10 +7,11 @@ from typing import NamedTuple
 from sandbox._atomics import atomic_add
 from sandbox._jit import kernel
 from sandbox.engine.active.sleep import count_slow_time, note_awake
-from sandbox.engine.bodies.flags import AT_A_TIME, clear_flags, keep_dragged_awake
-from sandbox.engine.bodies.integrate import begin_motions, finish_motions
-from sandbox.engine.bodies.quarantine import guard_forces, guard_positions
+from sandbox.engine.bodies.flags import AHEAD, TURNING, disturbs, first_flags, is_active, keep_dragged_awake
+from sandbox.engine.bodies.integrate import begin_motion, finish_motion
+from sandbox.engine.bodies.quarantine import guard_forces, guard_position
 from sandbox.engine.continuous_collision.candidates import mark_fast
+from sandbox.engine.midpoint.midpoint import turning_flags
 from sandbox.engine.midpoint.poses import put_back
 from sandbox.engine.records.active_set import ActiveSet
 from sandbox.engine.records.bodies import SolverBodies
@@ -22,6 +20,7 @@ from sandbox.engine.records.workers import AWAKE, DRIVEN, FAST, FROZEN, RESTED, 
 from sandbox.engine.workers.parallel_for import first_part, next_part
 from sandbox.engine.workers.task_kinds import FINISH_BODIES
 from sandbox.tables import Integers, Records
+from sandbox.world.records import KINEMATIC
 
 
 class Finished(NamedTuple):
@@ -36,20 +35,27 @@ class Finished(NamedTuple):
 def begin_bodies(state: StateTables, active: ActiveSet, solver: SolverBodies) -> bool:
     """Make active bodies ready for the substeps; returns whether some were frozen: then the active set is out of date.
 
-    `active.info` notes the square of the highest speed of a point of any.
+    `active.info` notes the square of the highest speed of a point of any, and whether some turn notably.
     """
-    rows = active.bodies[1 : 1 + active.bodies[0]]
     setting = state.settings[0]
+    counter = state.counters[0]
     froze = False
+    found = 0
     fastest = 0.0
-    for first in range(0, rows.shape[0], AT_A_TIME):
-        some = rows[first : first + AT_A_TIME]
-        froze = guard_forces(state.bodies, some, setting, active.info, state.counters) or froze
-        square = begin_motions(state.bodies, some, solver)
+    for i in active.bodies[1 : 1 + active.bodies[0]]:
+        body = state.bodies[i]
+        free_motion = solver.free_motions[i]
+        if guard_forces(body, setting, active.info, counter.step_count):
+            counter.frozen_count += 1
+            froze = True
+        square = begin_motion(body, solver.motions[i], free_motion)
         fastest = square if square > fastest else fastest
-        clear_flags(state.bodies, some, solver)
+        flags = first_flags(body, free_motion) | turning_flags(body, solver.ccd[i], 0.5 * setting.step_seconds)
+        solver.flags[i] = flags
+        found |= flags
     keep_dragged_awake(solver.flags, state.drags)
     active.info[0].fastest = fastest
+    active.info[0].turning = 1 if found & TURNING else 0
     return froze
 
 
@@ -85,20 +91,25 @@ def finish_some_bodies(
     state: StateTables, rows: Integers, solver: SolverBodies, active: ActiveSet, workers: Workers
 ) -> None:
     """The same for some of them."""
-    bodies = state.bodies
-    motions = solver.motions
-    counter = state.counters[0]
     words = workers.words
+    step = state.counters[0].step_count
     seconds = state.settings[0].step_seconds
     unit = state.settings[0].units_per_meter
-    for first in range(0, rows.shape[0], AT_A_TIME):
-        some = rows[first : first + AT_A_TIME]
-        put_back(bodies, some, solver, 0.5 * seconds)
-        frozen = guard_positions(bodies, some, motions, active.info, counter.step_count)
-        fast = mark_fast(bodies, some, motions, solver.ccd, seconds, unit)
-        finish_motions(bodies, some, motions)
-        rested = count_slow_time(bodies, some, solver, seconds, unit)
-        awake, driven = note_awake(bodies, some)
-        for word, count in ((FROZEN, frozen), (AWAKE, awake), (DRIVEN, driven), (RESTED, rested), (FAST, fast)):
-            if count > 0:
-                atomic_add(words, word, count)
+    frozen = awake = driven = rested = fast = 0
+    for i in rows:
+        body = state.bodies[i]
+        motion = solver.motions[i]
+        if solver.flags[i] & AHEAD:
+            put_back(body, motion, 0.5 * seconds)
+        frozen += 1 if guard_position(body, motion, active.info, step) else 0
+        fast += 1 if mark_fast(body, motion, solver.ccd[i], seconds, unit) else 0
+        finish_motion(body, motion)
+        if is_active(body):
+            rested += 1 if count_slow_time(body, motion, solver.flags[i], seconds, unit) else 0
+            awake += 1
+            note_awake(body)
+        elif body.type == KINEMATIC and disturbs(body):
+            driven += 1
+    for word, count in ((FROZEN, frozen), (AWAKE, awake), (DRIVEN, driven), (RESTED, rested), (FAST, fast)):
+        if count > 0:
+            atomic_add(words, word, count)

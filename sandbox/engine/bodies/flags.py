@@ -3,12 +3,9 @@
 from __future__ import annotations
 
 from sandbox._jit import inlined_kernel, kernel
-from sandbox.engine.records.bodies import SolverBodies
 from sandbox.tables import Integers, Records
 from sandbox.world.records import DYNAMIC, KINEMATIC
 
-AT_A_TIME = 512
-"""So many rows of the body table fit into a core's cache: loops over all bodies that follow each other share them."""
 SUPPORTED = 1
 """It lies on or against something, hangs from it, or floats at rest; a body in free flight never sleeps."""
 KEPT_AWAKE = 2
@@ -55,13 +52,11 @@ def is_driving(body: Records) -> bool:
     return bool(body.type == KINEMATIC and moves(body))
 
 
-@kernel
-def clear_flags(bodies: Records, active_bodies: Integers, solver: SolverBodies) -> None:
-    """Nothing is known to rest yet but what floats; `flag_contact` adds what lies on something."""
-    for i in active_bodies:
-        drives = is_driving(bodies[i])
-        floats = solver.free_motions[i].buoyed == 1
-        solver.flags[i] = (SUPPORTED if floats else 0) | (MOVING_KINEMATIC if drives else 0)
+@inlined_kernel
+def first_flags(body: Records, free_motion: Records) -> int:
+    """The flags with which a step begins. Nothing is known to rest yet but what floats; `flag_contact` adds what lies
+    on something."""
+    return (SUPPORTED if free_motion.buoyed == 1 else 0) | (MOVING_KINEMATIC if is_driving(body) else 0)
 
 
 @kernel

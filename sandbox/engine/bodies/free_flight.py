@@ -1,4 +1,4 @@
-"""Stage: bodies that nothing touches or holds take all substeps one after the other, while they are in the cache.
+"""Stage: bodies that nothing touches or holds take all substeps one after the other, while they are in registers.
 
 Nobody asks for their velocities and places meanwhile, so the bits are those of going through all bodies in each
 substep.
@@ -9,15 +9,22 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from sandbox._jit import inlined_kernel, kernel
-from sandbox.engine.bodies.integrate import SOLVED, integrate_velocity
-from sandbox.engine.bodies.integrate_positions import Scale, Velocity, mean_velocity
-from sandbox.engine.bodies.quarantine import freeze_in_step, is_slow, slowed
-from sandbox.engine.records.bodies import SolverBodies
+from sandbox._vectors import WIDTH, absolute, any_lane, select
+from sandbox.engine.bodies.integrate import Velocity, forces_on, integrate_velocity, prepare_some_forces
+from sandbox.engine.bodies.integrate_positions import FREE_Y, START, Scale, mean_velocity
+from sandbox.engine.bodies.quarantine import MAX_SPEED, freeze_in_step, slowed
+from sandbox.engine.records.bodies import POSE, VELOCITY, SolverBodies
+from sandbox.engine.records.gather_fields import Rows, gather_fields, scatter_fields
 from sandbox.engine.records.workers import Workers
 from sandbox.engine.workers.parallel_for import first_part, next_part
 from sandbox.engine.workers.task_kinds import FLY, GRAVITY, IMPACTS, SECONDS, SUBSTEPS, UNITS
-from sandbox.geometry.trig import cos_sin
+from sandbox.geometry.trig import cos_sin, cos_sin_lanes
 from sandbox.tables import Floats, Integers, Records
+from sandbox.world.records import BODY
+
+_INVERSE_MASS = BODY.run("inverse_mass", "inverse_inertia", "force_x", "force_y")
+_TORQUE = BODY.run("torque", "linear_damping", "angular_damping", "gravity_scale")
+"""Numbers of fields, from which on four are read at once."""
 
 
 class Flight(NamedTuple):
@@ -36,6 +43,7 @@ def fly(
     rows: Integers,
     held_count: int,
     solver: SolverBodies,
+    setting: Records,
     active_info: Records,
     step_count: int,
     flight: Flight,
@@ -49,7 +57,7 @@ def fly(
     frozen = 0
     first, end = first_part(workers, FLY, held_count, rows.shape[0])
     while first < end:
-        frozen += fly_some(bodies, rows[first:end], solver, active_info, step_count, flight)
+        frozen += fly_some(bodies, rows[first:end], solver, setting, active_info, step_count, flight)
         first, end = next_part(workers, first, end)
     return frozen
 
@@ -72,79 +80,93 @@ def told_flight(n: Floats) -> Flight:
 
 @kernel
 def fly_some(
-    bodies: Records, rows: Integers, solver: SolverBodies, active_info: Records, step_count: int, flight: Flight
+    bodies: Records,
+    rows: Integers,
+    solver: SolverBodies,
+    setting: Records,
+    active_info: Records,
+    step_count: int,
+    flight: Flight,
 ) -> int:
     """The same for some bodies; returns how many were frozen."""
     frozen = 0
-    for i in rows:
-        force = solver.forces[i]
-        if force.moves != SOLVED:
+    last = rows.shape[0] - 1
+    for k in range(0, rows.shape[0], WIDTH):
+        # Behind the last body it comes again: all are read before any is written.
+        four: Rows = (
+            rows[k],
+            rows[k + 1 if k + 1 < last else last],
+            rows[k + 2 if k + 2 < last else last],
+            rows[k + 3 if k + 3 < last else last],
+        )
+        if _coast(bodies, four, solver, setting, flight):
             continue
-        motion = solver.motions[i]
-        free_motion = solver.free_motions[i]
-        angle = motion.delta_angle
-        if not (_coast(force, motion, free_motion, flight) or _slow_down(force, motion, free_motion, flight)):
-            freeze_in_step(bodies[i], motion, force, active_info, step_count)
-            frozen += 1
-            continue
-        if motion.delta_angle != angle:
-            motion.delta_cos, motion.delta_sin = cos_sin(motion.delta_angle)
-        if flight.late_impacts:
-            _note_velocity(free_motion, motion)
+        some = rows[k : k + WIDTH if k + WIDTH <= last else last + 1]
+        prepare_some_forces(bodies, some, solver, setting, flight.seconds)
+        for i in some:
+            if not _slow_down(solver, i, flight):
+                freeze_in_step(bodies[i], solver.motions[i], solver.forces[i], active_info, step_count)
+                frozen += 1
     return frozen
 
 
 @inlined_kernel
-def _coast(force: Records, motion: Records, free_motion: Records, flight: Flight) -> bool:
-    """Move a body that never gets too fast, in registers. False, with nothing done, for any other."""
+def _coast(bodies: Records, rows: Rows, solver: SolverBodies, setting: Records, flight: Flight) -> bool:
+    """Move four bodies side by side. False, with nothing done, where one of them gets too fast."""
     seconds = flight.seconds
-    vx = start_x = motion.velocity_x
-    vy = start_y = motion.velocity_y
-    w = start_w = motion.angular_velocity
-    x = motion.delta_x
-    y = motion.delta_y
-    angle = motion.delta_angle
-    change_x = force.change_x
-    change_y = force.change_y
-    change_w = force.change_w
-    linear = force.linear_decay
-    angular = force.angular_decay
+    vx, vy, w, x = gather_fields(solver.motions, rows, VELOCITY)
+    y, cosine, sine, angle = gather_fields(solver.motions, rows, POSE)
+    inverse_mass, inverse_inertia, force_x, force_y = gather_fields(bodies, rows, _INVERSE_MASS)
+    torque, linear_damping, angular_damping, gravity_scale = gather_fields(bodies, rows, _TORQUE)
+    ax = gravity_scale * setting.gravity_x + inverse_mass * force_x
+    ay = gravity_scale * setting.gravity_y + inverse_mass * force_y
+    by_force = forces_on(Velocity(ax, ay, inverse_inertia * torque), linear_damping, angular_damping, seconds)
+    change = by_force.change
+    start = end = Velocity(vx, vy, w)
+    after = angle
     for _substep in range(flight.substeps):
-        start_x = vx
-        start_y = vy
-        start_w = w
-        vx = (vx + change_x) * linear
-        vy = (vy + change_y) * linear
-        w = (w + change_w) * angular
-        x += seconds * (0.5 * (start_x + vx))
-        y += seconds * (0.5 * (start_y + vy))
-        angle += seconds * (0.5 * (start_w + w))
+        start = end
+        end = Velocity(
+            (start.x + change.x) * by_force.linear_decay,
+            (start.y + change.y) * by_force.linear_decay,
+            (start.w + change.w) * by_force.angular_decay,
+        )
+        x = x + seconds * (0.5 * (start.x + end.x))
+        y = y + seconds * (0.5 * (start.y + end.y))
+        after = after + seconds * (0.5 * (start.w + end.w))
     # A substep leaves the faster of two velocities the faster one, so all lie between the first and the last.
-    if not (is_slow(motion.velocity_x, motion.velocity_y, motion.angular_velocity) and is_slow(vx, vy, w)):
+    speeds = absolute(vx) + absolute(vy) + absolute(w) + (absolute(end.x) + absolute(end.y) + absolute(end.w))
+    if any_lane(~(speeds <= MAX_SPEED)):  # or what is not a number
         return False
-    motion.velocity_x = vx
-    motion.velocity_y = vy
-    motion.angular_velocity = w
-    motion.delta_x = x
-    motion.delta_y = y
-    motion.delta_angle = angle
-    free_motion.start_x = start_x
-    free_motion.start_y = start_y
-    free_motion.start_w = start_w
-    free_motion.free_x = vx
-    free_motion.free_y = vy
-    free_motion.free_w = w
+    turned = after != angle
+    if any_lane(turned):
+        new_cosine, new_sine = cos_sin_lanes(after)
+        cosine = select(turned, new_cosine, cosine)
+        sine = select(turned, new_sine, sine)
+    scatter_fields(solver.motions, rows, VELOCITY, (end.x, end.y, end.w, x), 0, WIDTH)
+    scatter_fields(solver.motions, rows, POSE, (y, cosine, sine, after), 0, WIDTH)
+    _, _, level, buoyed = gather_fields(solver.free_motions, rows, FREE_Y)
+    begun = end if flight.late_impacts else start
+    scatter_fields(solver.free_motions, rows, START, (begun.x, begun.y, begun.w, end.x), 0, WIDTH)
+    scatter_fields(solver.free_motions, rows, FREE_Y, (end.y, end.w, level, buoyed), 0, WIDTH)
     return True
 
 
 @kernel
-def _slow_down(force: Records, motion: Records, free_motion: Records, flight: Flight) -> bool:
+def _slow_down(solver: SolverBodies, i: int, flight: Flight) -> bool:
     """Move a body that is slowed down on its way; False for one whose velocity is not a number."""
+    force = solver.forces[i]
+    motion = solver.motions[i]
+    free_motion = solver.free_motions[i]
+    angle = motion.delta_angle
     for _substep in range(flight.substeps):
-        integrate_velocity(force, free_motion, motion)
-        if not slowed(motion):
+        if not integrate_velocity(force, free_motion, motion) and not slowed(motion):
             return False
         _move(force, free_motion, motion, flight.scale, flight.seconds)
+    if motion.delta_angle != angle:
+        motion.delta_cos, motion.delta_sin = cos_sin(motion.delta_angle)
+    if flight.late_impacts:
+        _note_velocity(free_motion, motion)
     return True
 
 

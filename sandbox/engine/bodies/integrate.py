@@ -2,11 +2,15 @@
 
 from __future__ import annotations
 
+from typing import NamedTuple
+
 from sandbox._jit import inlined_kernel, kernel
+from sandbox._vectors import Number
+from sandbox.engine.bodies.quarantine import freeze_in_step, is_slow, slowed
 from sandbox.engine.records.bodies import SolverBodies
 from sandbox.engine.records.workers import Workers
 from sandbox.engine.workers.parallel_for import first_part, next_part
-from sandbox.engine.workers.task_kinds import INTEGRATE_VELOCITIES, LEVEL, PREPARE_FORCES, SECONDS
+from sandbox.engine.workers.task_kinds import INTEGRATE_VELOCITIES, PREPARE_FORCES, SECONDS
 from sandbox.geometry.trig import cos_sin
 from sandbox.tables import Integers, Records
 from sandbox.world.records import DYNAMIC, STATIC
@@ -17,34 +21,46 @@ LED = 2.0
 """`forces.moves` of a body that follows a velocity of its own: kinematic."""
 
 
-@kernel
-def begin_motions(bodies: Records, active_bodies: Integers, solver: SolverBodies) -> float:
-    """Load the velocities; nothing has moved yet, and nothing is known to hinder anybody.
+class Velocity(NamedTuple):
+    """Of a body, in m/s and rad/s."""
 
-    Returns the square of the highest speed (m/s) of a point of any body.
+    x: Number
+    y: Number
+    w: Number
+
+
+class ByForce(NamedTuple):
+    """A velocity, after some time, is the sum of what it was and `change`, times what its decay leaves."""
+
+    change: Velocity
+    linear_decay: Number
+    angular_decay: Number
+
+
+@inlined_kernel
+def begin_motion(body: Records, motion: Records, free_motion: Records) -> float:
+    """Load the velocity of a body; it has not moved yet, and nothing is known to hinder it.
+
+    Returns the square of the highest speed (m/s) of a point of it.
     """
-    fastest = 0.0
-    for i in active_bodies:
-        body = bodies[i]
-        motion = solver.motions[i]
-        # A zero without its sign: impulses on what has no inverse mass leave that as it is, whoever applies them.
-        motion.velocity_x = body.velocity_x + 0.0
-        motion.velocity_y = body.velocity_y + 0.0
-        motion.angular_velocity = body.angular_velocity + 0.0
-        motion.delta_x = 0.0
-        motion.delta_y = 0.0
-        motion.delta_cos = 1.0
-        motion.delta_sin = 0.0
-        motion.delta_angle = 0.0
-        free_motion = solver.free_motions[i]
-        free_motion.substep_level = 0
-        free_motion.start_x = free_motion.free_x = body.velocity_x
-        free_motion.start_y = free_motion.free_y = body.velocity_y
-        free_motion.start_w = free_motion.free_w = body.angular_velocity
-        rim = body.angular_velocity * body.extent
-        square = body.velocity_x * body.velocity_x + body.velocity_y * body.velocity_y + rim * rim
-        fastest = square if square > fastest else fastest
-    return fastest
+    vx = body.velocity_x
+    vy = body.velocity_y
+    w = body.angular_velocity
+    # A zero without its sign: impulses on what has no inverse mass leave that as it is, whoever applies them.
+    motion.velocity_x = vx + 0.0
+    motion.velocity_y = vy + 0.0
+    motion.angular_velocity = w + 0.0
+    motion.delta_x = 0.0
+    motion.delta_y = 0.0
+    motion.delta_cos = 1.0
+    motion.delta_sin = 0.0
+    motion.delta_angle = 0.0
+    free_motion.substep_level = 0
+    free_motion.start_x = free_motion.free_x = vx
+    free_motion.start_y = free_motion.free_y = vy
+    free_motion.start_w = free_motion.free_w = w
+    rim = w * body.extent
+    return float(vx * vx + vy * vy + rim * rim)
 
 
 @kernel
@@ -52,26 +68,21 @@ def prepare_forces(
     bodies: Records,
     active_bodies: Integers,
     solver: SolverBodies,
-    substep_level: int,
     setting: Records,
     seconds: float,
     workers: Workers,
 ) -> None:
-    """Work out once what forces and damping do to the bodies of a substep level in each of its substeps of `seconds`.
-
-    Exact terminal velocity, decay to second order, always stable.
-    """
-    workers.numbers[LEVEL] = substep_level
+    """Work out once what forces and damping do to bodies in each of their substeps of so many `seconds`."""
     workers.numbers[SECONDS] = seconds
     first, end = first_part(workers, PREPARE_FORCES, 0, active_bodies.shape[0])
     while first < end:
-        prepare_some_forces(bodies, active_bodies[first:end], solver, substep_level, setting, seconds)
+        prepare_some_forces(bodies, active_bodies[first:end], solver, setting, seconds)
         first, end = next_part(workers, first, end)
 
 
 @kernel
 def prepare_some_forces(
-    bodies: Records, rows: Integers, solver: SolverBodies, substep_level: int, setting: Records, seconds: float
+    bodies: Records, rows: Integers, solver: SolverBodies, setting: Records, seconds: float
 ) -> None:
     """The same for some bodies."""
     for i in rows:
@@ -79,84 +90,112 @@ def prepare_some_forces(
         force = solver.forces[i]
         force.moves = SOLVED if body.type == DYNAMIC else LED
         force.by_end = 0.0
-        if (
-            body.type == STATIC
-            or body.awake == 0
-            or (body.type == DYNAMIC and solver.free_motions[i].substep_level != substep_level)
-        ):
+        if body.type == STATIC or body.awake == 0:
             force.moves = 0.0
             continue
-        lag = 1.0 + 0.5 * seconds * body.linear_damping
-        force.linear_decay = _decay(seconds * body.linear_damping)
         ax = body.gravity_scale * setting.gravity_x + body.inverse_mass * body.force_x
         ay = body.gravity_scale * setting.gravity_y + body.inverse_mass * body.force_y
-        force.change_x = seconds * ax * lag
-        force.change_y = seconds * ay * lag
-        turn_lag = 1.0 + 0.5 * seconds * body.angular_damping
-        force.angular_decay = _decay(seconds * body.angular_damping)
-        aw = body.inverse_inertia * body.torque
-        force.change_w = seconds * aw * turn_lag
+        acceleration = Velocity(ax, ay, body.inverse_inertia * body.torque)
+        by_force = forces_on(acceleration, body.linear_damping, body.angular_damping, seconds)
+        force.change_x = by_force.change.x
+        force.change_y = by_force.change.y
+        force.change_w = by_force.change.w
+        force.linear_decay = by_force.linear_decay
+        force.angular_decay = by_force.angular_decay
         force.extent = body.extent
 
 
+@inlined_kernel
+def forces_on(acceleration: Velocity, linear_damping: Number, angular_damping: Number, seconds: float) -> ByForce:
+    """What an acceleration (m/s^2, rad/s^2) and damping (1/s) do to a velocity within so many seconds.
+
+    Exact terminal velocity, decay to second order, always stable.
+    """
+    lag = 1.0 + 0.5 * seconds * linear_damping
+    turn_lag = 1.0 + 0.5 * seconds * angular_damping
+    change = Velocity(
+        seconds * acceleration.x * lag, seconds * acceleration.y * lag, seconds * acceleration.w * turn_lag
+    )
+    return ByForce(change, _decay(seconds * linear_damping), _decay(seconds * angular_damping))
+
+
 @kernel
-def integrate_velocities(active_bodies: Integers, solver: SolverBodies, workers: Workers) -> None:
-    """Gravity, forces and damping over one substep."""
-    first, end = first_part(workers, INTEGRATE_VELOCITIES, 0, active_bodies.shape[0])
+def integrate_velocities(
+    bodies: Records, rows: Integers, solver: SolverBodies, active_info: Records, step_count: int, workers: Workers
+) -> int:
+    """Gravity, forces and damping over one substep; what was or gets too fast is slowed down. Returns how many bodies
+    this worker has frozen."""
+    frozen = 0
+    first, end = first_part(workers, INTEGRATE_VELOCITIES, 0, rows.shape[0])
     while first < end:
-        integrate_some_velocities(active_bodies[first:end], solver)
+        frozen += integrate_some_velocities(bodies, rows[first:end], solver, active_info, step_count)
         first, end = next_part(workers, first, end)
+    return frozen
 
 
 @kernel
-def integrate_some_velocities(rows: Integers, solver: SolverBodies) -> None:
+def integrate_some_velocities(
+    bodies: Records, rows: Integers, solver: SolverBodies, active_info: Records, step_count: int
+) -> int:
     """The same for some bodies."""
+    frozen = 0
     for i in rows:
         force = solver.forces[i]
-        if force.moves == SOLVED:
-            integrate_velocity(force, solver.free_motions[i], solver.motions[i])
+        if force.moves != SOLVED:
+            continue
+        motion = solver.motions[i]
+        fine = integrate_velocity(force, solver.free_motions[i], motion)
+        if not fine and not slowed(motion):
+            freeze_in_step(bodies[i], motion, force, active_info, step_count)
+            frozen += 1
+    return frozen
 
 
 @inlined_kernel
-def integrate_velocity(force: Records, free_motion: Records, motion: Records) -> None:
-    """The same for one body, which the solver moves."""
-    free_motion.start_x = motion.velocity_x
-    free_motion.start_y = motion.velocity_y
-    free_motion.start_w = motion.angular_velocity
-    motion.velocity_x = (motion.velocity_x + force.change_x) * force.linear_decay
-    motion.velocity_y = (motion.velocity_y + force.change_y) * force.linear_decay
-    motion.angular_velocity = (motion.angular_velocity + force.change_w) * force.angular_decay
-    free_motion.free_x = motion.velocity_x
-    free_motion.free_y = motion.velocity_y
-    free_motion.free_w = motion.angular_velocity
+def integrate_velocity(force: Records, free_motion: Records, motion: Records) -> bool:
+    """The same for one body, which the solver moves, but for what is too fast: whether it is not."""
+    start_x = motion.velocity_x
+    start_y = motion.velocity_y
+    start_w = motion.angular_velocity
+    vx = (start_x + force.change_x) * force.linear_decay
+    vy = (start_y + force.change_y) * force.linear_decay
+    w = (start_w + force.change_w) * force.angular_decay
+    motion.velocity_x = vx
+    motion.velocity_y = vy
+    motion.angular_velocity = w
+    free_motion.start_x = start_x
+    free_motion.start_y = start_y
+    free_motion.start_w = start_w
+    free_motion.free_x = vx
+    free_motion.free_y = vy
+    free_motion.free_w = w
+    return is_slow(vx, vy, w)
 
 
-@kernel
-def _decay(x: float) -> float:
+@inlined_kernel
+def _decay(x: Number) -> Number:
     """exp(-x) to second order, for x >= 0: never negative, so that strong damping stays stable."""
     return 1.0 / (1.0 + x + 0.5 * x * x)
 
 
-@kernel
-def finish_motions(bodies: Records, active_bodies: Integers, motions: Records) -> None:
-    """Write the new velocities and poses into the bodies and clear the forces."""
-    for i in active_bodies:
-        body = bodies[i]
-        if body.type == STATIC or body.awake == 0:
-            continue
-        motion = motions[i]
-        body.velocity_x = motion.velocity_x
-        body.velocity_y = motion.velocity_y
-        body.angular_velocity = motion.angular_velocity
-        body.center_x += motion.delta_x
-        body.center_y += motion.delta_y
-        if motion.delta_angle != 0.0:
-            body.angle += motion.delta_angle
-            body.rotation_cos, body.rotation_sin = cos_sin(body.angle)
-        place_origin(body)
-        body.force_x = 0.0
-        body.force_y = 0.0
-        body.torque = 0.0
+@inlined_kernel
+def finish_motion(body: Records, motion: Records) -> None:
+    """Write the new velocity and pose into a body and clear the forces."""
+    if body.type == STATIC or body.awake == 0:
+        return
+    body.velocity_x = motion.velocity_x
+    body.velocity_y = motion.velocity_y
+    body.angular_velocity = motion.angular_velocity
+    body.center_x += motion.delta_x
+    body.center_y += motion.delta_y
+    if motion.delta_angle != 0.0:
+        angle: float = body.angle + motion.delta_angle
+        body.angle = angle
+        body.rotation_cos, body.rotation_sin = cos_sin(angle)
+    place_origin(body)
+    body.force_x = 0.0
+    body.force_y = 0.0
+    body.torque = 0.0
 
 
 @kernel

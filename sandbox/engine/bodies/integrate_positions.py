@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 from sandbox._jit import inlined_kernel, kernel
 from sandbox._vectors import WIDTH, Number, absolute, any_lane, select
-from sandbox.engine.bodies.integrate import SOLVED
+from sandbox.engine.bodies.integrate import SOLVED, Velocity
 from sandbox.engine.records.bodies import BODY_FORCES, FREE_MOTION, POSE, VELOCITY, SolverBodies
 from sandbox.engine.records.gather_fields import Rows, gather_fields, scatter_fields
 from sandbox.engine.records.workers import Workers
@@ -20,18 +20,10 @@ STRAIGHT = 0.01
 velocity holds also where all of the velocity is new."""
 UNTOUCHED = 1e-9
 """Velocity (m/s) up to which what contacts have given and taken back again counts as nothing: it is rounding."""
-_START = FREE_MOTION.run("start_x", "start_y", "start_w", "free_x")
-_FREE_Y = FREE_MOTION.run("free_y", "free_w", "substep_level", "buoyed")
+START = FREE_MOTION.run("start_x", "start_y", "start_w", "free_x")
+FREE_Y = FREE_MOTION.run("free_y", "free_w", "substep_level", "buoyed")
 _ANGULAR_DECAY = BODY_FORCES.run("angular_decay", "extent", "moves", "by_end")
 """Numbers of fields, from which on four are read at once."""
-
-
-class Velocity(NamedTuple):
-    """Of a body, in m/s and rad/s."""
-
-    x: Number
-    y: Number
-    w: Number
 
 
 class Scale(NamedTuple):
@@ -84,8 +76,8 @@ def integrate_some_positions(
 def _integrate_four(rows: Rows, solver: SolverBodies, scale: Scale, seconds: float, late_impacts: bool) -> None:
     vx, vy, w, x = gather_fields(solver.motions, rows, VELOCITY)
     y, cosine, sine, angle = gather_fields(solver.motions, rows, POSE)
-    start_x, start_y, start_w, free_x = gather_fields(solver.free_motions, rows, _START)
-    free_y, free_w, level, buoyed = gather_fields(solver.free_motions, rows, _FREE_Y)
+    start_x, start_y, start_w, free_x = gather_fields(solver.free_motions, rows, START)
+    free_y, free_w, level, buoyed = gather_fields(solver.free_motions, rows, FREE_Y)
     _, extent, moves, by_end = gather_fields(solver.forces, rows, _ANGULAR_DECAY)
     start = Velocity(start_x, start_y, start_w)
     mean = mean_velocity(start, Velocity(free_x, free_y, free_w), Velocity(vx, vy, w), extent, seconds, scale)
@@ -105,8 +97,8 @@ def _integrate_four(rows: Rows, solver: SolverBodies, scale: Scale, seconds: flo
     if late_impacts:
         first = (select(solved, vx, start_x), select(solved, vy, start_y), select(solved, w, start_w))
         noted = select(solved, vx, free_x), select(solved, vy, free_y), select(solved, w, free_w)
-        scatter_fields(solver.free_motions, rows, _START, (first[0], first[1], first[2], noted[0]), 0, WIDTH)
-        scatter_fields(solver.free_motions, rows, _FREE_Y, (noted[1], noted[2], level, buoyed), 0, WIDTH)
+        scatter_fields(solver.free_motions, rows, START, (first[0], first[1], first[2], noted[0]), 0, WIDTH)
+        scatter_fields(solver.free_motions, rows, FREE_Y, (noted[1], noted[2], level, buoyed), 0, WIDTH)
 
 
 @inlined_kernel

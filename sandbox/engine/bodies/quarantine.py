@@ -20,33 +20,26 @@ MAX_COORDINATE = 1e9
 """Units of length from the origin past which a body counts as lost."""
 
 
-@kernel
-def guard_forces(
-    bodies: Records, active_bodies: Integers, setting: Records, active_info: Records, counters: Records
-) -> bool:
-    """Freeze bodies that their own velocity and the forces on them would make too fast within a step.
+@inlined_kernel
+def guard_forces(body: Records, setting: Records, active_info: Records, step_count: int) -> bool:
+    """Freeze a body that its own velocity and the forces on it would make too fast within a step; returns whether.
 
-    It comes before contacts and joints look at masses, so that to them such a body is one that does not move. Returns
-    whether there was one: then the active set is out of date.
+    It comes before contacts and joints look at masses, so that to them such a body is one that does not move.
     """
-    found = False
+    if body.type == STATIC:
+        return False
     seconds = setting.step_seconds
-    for i in active_bodies:
-        body = bodies[i]
-        if body.type == STATIC:
-            continue
-        linear = MAX_SPEED * (1.0 + seconds * body.linear_damping)
-        angular = MAX_SPEED * (1.0 + seconds * body.angular_damping)
-        ax = body.gravity_scale * setting.gravity_x + body.inverse_mass * body.force_x
-        ay = body.gravity_scale * setting.gravity_y + body.inverse_mass * body.force_y
-        aw = body.inverse_inertia * body.torque
-        sound = abs(body.velocity_x + seconds * ax) <= linear and abs(body.velocity_y + seconds * ay) <= linear
-        if not (sound and abs(body.angular_velocity + seconds * aw) <= angular):
-            active_info[0].stale = 1
-            _freeze(body, counters[0].step_count)
-            counters[0].frozen_count += 1
-            found = True
-    return found
+    linear = MAX_SPEED * (1.0 + seconds * body.linear_damping)
+    angular = MAX_SPEED * (1.0 + seconds * body.angular_damping)
+    ax = body.gravity_scale * setting.gravity_x + body.inverse_mass * body.force_x
+    ay = body.gravity_scale * setting.gravity_y + body.inverse_mass * body.force_y
+    aw = body.inverse_inertia * body.torque
+    sound = (abs(body.velocity_x + seconds * ax) <= linear) & (abs(body.velocity_y + seconds * ay) <= linear)
+    if sound & (abs(body.angular_velocity + seconds * aw) <= angular):
+        return False
+    active_info[0].stale = 1
+    _freeze(body, step_count)
+    return True
 
 
 @kernel
@@ -97,30 +90,22 @@ def freeze_in_step(body: Records, motion: Records, force: Records, active_info: 
     force.moves = 0.0
 
 
-@kernel
-def guard_positions(
-    bodies: Records, active_bodies: Integers, motions: Records, active_info: Records, step_count: int
-) -> int:
-    """Freeze bodies that would leave the world, or whose motion is not a number, before they are moved.
-
-    Returns how many were frozen.
-    """
-    frozen = 0
-    for i in active_bodies:
-        body = bodies[i]
-        if body.type == STATIC:
-            continue
-        motion = motions[i]
-        x = abs(body.center_x + motion.delta_x)
-        y = abs(body.center_y + motion.delta_y)
-        turned = abs(body.angle + motion.delta_angle)
-        inside = x <= MAX_COORDINATE and y <= MAX_COORDINATE and turned <= MAX_COORDINATE
-        if not (slowed(motion) and inside):
-            active_info[0].stale = 1
-            _freeze(body, step_count)
-            _stop(motion)
-            frozen += 1
-    return frozen
+@inlined_kernel
+def guard_position(body: Records, motion: Records, active_info: Records, step_count: int) -> bool:
+    """Freeze a body that would leave the world, or whose motion is not a number, before it is moved; returns
+    whether."""
+    if body.type == STATIC:
+        return False
+    x = abs(body.center_x + motion.delta_x)
+    y = abs(body.center_y + motion.delta_y)
+    turned = abs(body.angle + motion.delta_angle)
+    inside = (x <= MAX_COORDINATE) & (y <= MAX_COORDINATE) & (turned <= MAX_COORDINATE)
+    if inside and (is_slow(motion.velocity_x, motion.velocity_y, motion.angular_velocity) or slowed(motion)):
+        return False
+    active_info[0].stale = 1
+    _freeze(body, step_count)
+    _stop(motion)
+    return True
 
 
 @inlined_kernel

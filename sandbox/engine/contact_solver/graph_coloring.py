@@ -40,8 +40,9 @@ def color_contacts(
     mixed: bool,
     islands_too: bool,
     blocks: ContactBlocks,
-) -> int:
-    """Greedy colouring of the active contacts of a substep level, in order; returns the number of colours.
+) -> tuple[int, int]:
+    """Greedy colouring of the active contacts of a substep level, in order; returns the number of colours, and the bits
+    of `unsettled` that some body of the level has.
 
     `mixed` says that there are other levels. `blocks.colors` gets a colour for each active contact, `solver.colors` is
     scratch: the colours that each body's contacts have. Only active bodies count: others are read by the solver but
@@ -55,12 +56,16 @@ def color_contacts(
     """
     taken = solver.colors
     listed = contacts.active[1 : 1 + contacts.active[0].contact]
+    unsettled = 0
     for i in active.bodies[1 : 1 + active.bodies[0]]:
-        free = IS_UNSETTLED if solver.ccd[i].unsettled != 0 else 0
-        taken[i] = free if is_active(bodies[i]) else IMMOVABLE
+        bits = solver.ccd[i].unsettled
+        moves = is_active(bodies[i])
+        taken[i] = (IS_UNSETTLED if bits != 0 else 0) if moves else IMMOVABLE
+        if bits != 0 and moves and solver.free_motions[i].substep_level == substep_level:
+            unsettled |= bits
         if islands_too:
             solver.islands[i] = i
-            solver.batches[i] = 1 if is_active(bodies[i]) else TOO_MANY
+            solver.batches[i] = 1 if moves else TOO_MANY
     highest = -1
     for k in range(listed.shape[0]):
         a = listed[k].body_a
@@ -89,7 +94,7 @@ def color_contacts(
                 unite(solver.islands, a, b)
             driven = moves_a != moves_b and (solver.flags[a] | solver.flags[b]) & MOVING_KINEMATIC != 0
             solver.batches[a if moves_a else b] += TOO_MANY if driven or color == MAX_COLORS else 1
-    return highest + 1
+    return highest + 1, unsettled
 
 
 @inlined_kernel

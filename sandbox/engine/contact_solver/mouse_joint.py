@@ -14,8 +14,9 @@ from sandbox.world.records import DYNAMIC
 
 
 @kernel
-def solve_mouse_joints(state: StateTables, solver: SolverBodies, substep_level: int, seconds: float) -> None:
-    """Warm start and solve every mouse joint on bodies of a substep level once."""
+def solve_mouse_joints(state: StateTables, solver: SolverBodies, substep_level: int, seconds: float) -> bool:
+    """Warm start and solve every mouse joint on bodies of a substep level once; whether there are any."""
+    some = False
     for k in range(state.drags.shape[0]):
         drag = state.drags[k]
         if drag.body < 0 or state.bodies[drag.body].type != DYNAMIC:
@@ -23,6 +24,8 @@ def solve_mouse_joints(state: StateTables, solver: SolverBodies, substep_level: 
         if solver.free_motions[drag.body].substep_level == substep_level:
             share = substep_share(substep_level)
             _solve(state.bodies[drag.body], solver.motions[drag.body], drag, seconds, share)
+            some = True
+    return some
 
 
 @kernel

@@ -11,7 +11,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from sandbox._jit import kernel
+from sandbox._jit import inlined_kernel, kernel
 from sandbox.engine.bodies.flags import AHEAD, MOBILE, TURNING, is_active
 from sandbox.engine.midpoint.poses import put_ahead
 from sandbox.engine.records.active_set import ActiveSet
@@ -33,21 +33,16 @@ def move_to_midpoint(state: StateTables, active: ActiveSet, solver: SolverBodies
     rows = active.bodies[1 : 1 + active.bodies[0]]
     slots: Any = contacts.active[1 : 1 + contacts.active[0].contact]
     seconds = 0.5 * state.settings[0].step_seconds
-    if _flag_turning(bodies, rows, solver, seconds) and _flag_ahead(solver.flags, slots, contacts.now):
+    if active.info[0].turning == 1 and _flag_ahead(solver.flags, slots, contacts.now):
         put_ahead(bodies, rows, solver, seconds)
 
 
-@kernel
-def _flag_turning(bodies: Records, rows: Integers, solver: SolverBodies, seconds: float) -> bool:
-    """Flag who may move, and who of them turns notably; whether there are any of these."""
-    found = False
-    for i in rows:
-        body = bodies[i]
-        if body.type == KINEMATIC or (is_active(body) and solver.ccd[i].unsettled & (OVERLAPS | NEW) == 0):
-            turns = seconds * abs(body.angular_velocity) > NOTABLE
-            found = found or turns
-            solver.flags[i] |= MOBILE | TURNING if turns else MOBILE
-    return found
+@inlined_kernel
+def turning_flags(body: Records, ccd_body: Records, seconds: float) -> int:
+    """`MOBILE` if a body may move, `TURNING` if it turns notably in so many seconds."""
+    if not (body.type == KINEMATIC or (is_active(body) and ccd_body.unsettled & (OVERLAPS | NEW) == 0)):
+        return 0
+    return MOBILE | TURNING if seconds * abs(body.angular_velocity) > NOTABLE else MOBILE
 
 
 @kernel

@@ -33,24 +33,21 @@ def put_ahead(bodies: Records, rows: Integers, solver: SolverBodies, seconds: fl
 
 
 @kernel
-def put_back(bodies: Records, rows: Integers, solver: SolverBodies, seconds: float) -> None:
-    """Put them back to where the step began, and measure from there what they have moved. Their rotations follow when
-    that is added."""
-    for i in rows:
-        if solver.flags[i] & AHEAD:
-            body = bodies[i]
-            motion = solver.motions[i]
-            x = seconds * body.velocity_x
-            y = seconds * body.velocity_y
-            angle = seconds * body.angular_velocity
-            body.center_x -= x
-            body.center_y -= y
-            body.angle -= angle
-            motion.delta_x += x
-            motion.delta_y += y
-            motion.delta_angle += angle
-            if motion.delta_angle == 0.0:
-                body.rotation_cos, body.rotation_sin = cos_sin(body.angle)
+def put_back(body: Records, motion: Records, seconds: float) -> None:
+    """Put one of them back to where the step began, and measure from there what it has moved. Its rotation follows
+    when that is added."""
+    x = seconds * body.velocity_x
+    y = seconds * body.velocity_y
+    angle = seconds * body.angular_velocity
+    body.center_x -= x
+    body.center_y -= y
+    begun: float = body.angle - angle
+    body.angle = begun
+    motion.delta_x += x
+    motion.delta_y += y
+    motion.delta_angle += angle
+    if motion.delta_angle == 0.0:
+        body.rotation_cos, body.rotation_sin = cos_sin(begun)
 
 
 @kernel

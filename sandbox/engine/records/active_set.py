@@ -27,6 +27,7 @@ ACTIVE_SET = Table(
         Field("slight", "m", "smallest extent"),
         Field("substep_levels", "-", "bit set of the levels that some body has in this step", "i8"),
         Field("fastest", "m2/s2", "square of the highest speed of a point of any body at its beginning"),
+        Field("turning", "-", "1 when some body turns notably in half of it", "i8"),
         Field("impact_speed", "m/s", "past which two points without restitution that meet in it have an impact"),
     ),
 )

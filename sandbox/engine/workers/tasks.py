@@ -135,7 +135,8 @@ def _do_bodies(
     elif task == WARM_START:
         warm_start_blocks(motions, blocks, first, end)
     elif task == INTEGRATE_VELOCITIES:
-        integrate_some_velocities(blocks.batches.bodies[first:end], solver)
+        rows = blocks.batches.bodies[first:end]
+        frozen = integrate_some_velocities(state.bodies, rows, solver, active.info, now)
     elif task == INTEGRATE_POSITIONS:
         rows = blocks.batches.bodies[first:end]
         integrate_some_positions(rows, solver, Scale(n[GRAVITY], n[UNITS]), n[SECONDS], n[IMPACTS] > 0.0)
@@ -145,10 +146,10 @@ def _do_bodies(
         turn_some_parts(blocks.batches.bodies[first:end], solver)
     elif task == PREPARE_FORCES:
         rows = blocks.batches.bodies[first:end]
-        prepare_some_forces(state.bodies, rows, solver, int(n[LEVEL]), state.settings[0], n[SECONDS])
+        prepare_some_forces(state.bodies, rows, solver, state.settings[0], n[SECONDS])
     elif task == FLY:
         rows = blocks.batches.bodies[first:end]
-        frozen = fly_some(state.bodies, rows, solver, active.info, now, told_flight(n))
+        frozen = fly_some(state.bodies, rows, solver, state.settings[0], active.info, now, told_flight(n))
     elif task == GUARD_VELOCITIES:
         rows = blocks.batches.bodies[first:end]
         frozen = guard_some_velocities(state.bodies, rows, solver, active.info, now)
