@@ -60,6 +60,29 @@ def test_shipped_scenes_go_the_same_way(name, workers, few_a_batch, monkeypatch)
     assert in_batches == digests(shipped(name), 1)
 
 
+def unlike_piles() -> sandbox.Scene:
+    """Stacks of five crates; one of them bears 400 times its weight, and so takes finer substeps; a ball that flies."""
+    crate = {"shapes": [{"box": [0.5, 0.5]}]}
+    stacks = [{**crate, "id": f"c{x}-{k}", "position": [2.0 * x, 0.25 + 0.5 * k]} for x in range(6) for k in range(5)]
+    heavy = {"id": "heavy", "shapes": [{"box": [0.5, 0.5], "density": 400.0}], "position": [4.0, 3.0]}
+    ball = {"id": "ball", "shapes": [{"circle": 0.2}], "position": [-5.0, 9.0], "velocity": [1.0, 9.0]}
+    floor = {"id": "floor", "type": "static", "shapes": [{"box": [30.0, 1.0]}], "position": [5.0, -0.5]}
+    return sandbox.Scene(bodies=[floor, *stacks, heavy, ball])
+
+
+@pytest.mark.parametrize("workers", [1, 2])
+def test_islands_of_several_substep_levels_go_the_same_way(workers, few_a_batch, monkeypatch):
+    in_batches = begun(unlike_piles(), workers)
+    in_batches.step(60)
+    monkeypatch.undo()
+    together = begun(unlike_piles(), 1)
+    together.step(60)
+    assert together.state.counters["substep_levels"][0] > 1
+    assert in_batches.digest() == together.digest()
+    ball = together.body("ball")
+    assert ball.position == pytest.approx((-4.0, 9.0 + 9.0 - 0.5 * 9.81), rel=1e-12), "it flies once a step"
+
+
 def test_every_island_is_in_one_batch_that_holds_it():
     world = World(sandbox.load_scene(find_scene(Path("box2d-many-pyramids"))))
     world.step()
