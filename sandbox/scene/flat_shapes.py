@@ -26,6 +26,7 @@ from sandbox.scene.shapes import (
 Kind = Literal["circle", "box", "capsule", "segment", "polygon"]
 
 _DEFAULT = Material()
+_SURFACE = tuple(name for name in Material.model_fields if name != "bumper")  # which only allows
 
 
 def flat_shapes(
@@ -35,7 +36,7 @@ def flat_shapes(
     called, `categories` the scene's names for bits.
     """
     base = material or _DEFAULT
-    given = {name: getattr(shape, name) for name in Material.model_fields if name != "bumper"}  # which only allows
+    given = {name: getattr(shape, name) for name in _SURFACE}
     surface: dict[str, Any] = {name: getattr(base, name) if value is None else value for name, value in given.items()}
     surface["category"], surface["mask"] = _bits(shape.category, categories), _bits(shape.mask, categories)
     surface["group"], surface["sensor"], surface["material"] = shape.group, shape.sensor, name

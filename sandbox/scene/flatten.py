@@ -28,6 +28,7 @@ from sandbox.scene.solidity import faults
 from sandbox.scene.units import guessed_units
 
 _FARTHEST = 1e9
+_FIELDS = tuple(BodyFields.model_fields)
 _SAME = [
     "type", "velocity", "linear_damping", "angular_damping", "gravity_scale", "fixed_rotation", "sleep_speed", "bullet",
     "mass", "inertia", "center",
@@ -68,12 +69,16 @@ class Flattener:
         return replace(flat, body=FlatBody(id=entry.id, position=entry.position, **traits))
 
     def _too_many_shapes(self) -> bool:
-        own = self._known.shapes + sum(_part_count(self._merged(body)["shapes"]) for body in self.scene.bodies)
+        own = self._known.shapes + sum(_part_count(self._shapes_of(body)) for body in self.scene.bodies)
         made = sum(body_count(each) * _part_count(self._prefab(each).shapes) for each in self.scene.generate)
         if own + made > MAX_SHAPES:
             text = f"the scene has {own + made} shapes; {MAX_SHAPES} is the limit"
             self.findings.append(Finding(("generate",) if made > own else ("bodies",), text))
         return own + made > MAX_SHAPES
+
+    def _shapes_of(self, body: Body) -> tuple[Any, ...]:
+        own = body.prefab is None or "shapes" in body.model_fields_set
+        return body.shapes if own else self.scene.prefabs[str(body.prefab)].shapes
 
     def _written(self) -> Iterator[FlatBody]:
         for i, body in enumerate(self.scene.bodies):
@@ -155,4 +160,4 @@ def _part_count(shapes: tuple[Any, ...]) -> int:
 
 
 def _values(pattern: BodyFields) -> dict[str, Any]:
-    return {name: getattr(pattern, name) for name in BodyFields.model_fields}
+    return {name: getattr(pattern, name) for name in _FIELDS}

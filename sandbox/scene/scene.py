@@ -8,6 +8,7 @@ from typing import Any
 from pydantic import BaseModel, PrivateAttr, ValidationError
 
 from sandbox._atomic_write import write_text
+from sandbox._collecting import collection_postponed
 from sandbox.arguments import check_kind, check_path
 from sandbox.errors import SceneError
 from sandbox.notebook import Shown
@@ -39,7 +40,7 @@ class Scene(Shown, SceneFields):
     _set: dict[str, Any] = PrivateAttr(default_factory=dict)
 
     def __init__(self, **data: Any) -> None:
-        with one_effort():
+        with one_effort(), collection_postponed():
             expansion = expanded(Document("Scene", in_words(data)))
             try:
                 BaseModel.__init__(self, **expansion.data)

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Container, Mapping
+from functools import cache
 from typing import Any
 
 from pydantic import BaseModel, Discriminator
@@ -18,10 +19,19 @@ UNIONS: dict[str, Mapping[str, type[BaseModel]]] = {}
 def by_key(what: str, kinds: Mapping[str, type[BaseModel]]) -> Discriminator:
     """A discriminator over `kinds` (key -> model); its error has type `kind` and the message `what`."""
 
-    def tag_of(value: Any) -> str | None:
-        given = value if isinstance(value, dict) else getattr(type(value), "model_fields", ())
+    def tag_among(given: Container[str]) -> str | None:
         found = [key for key in kinds if key in given]
         return TAG + found[0] if len(found) == 1 else None
+
+    @cache  # pydantic asks for each shape of a scene, and makes its fields anew each time
+    def tag_of_model(model: type) -> str | None:
+        return tag_among(getattr(model, "model_fields", ()))
+
+    def tag_of(value: Any) -> str | None:
+        if isinstance(value, dict):
+            return tag_among(value)
+        model: Any = type(value)
+        return tag_of_model(model)
 
     _register(what, kinds)
     return Discriminator(tag_of, custom_error_type="kind", custom_error_message=what)
