@@ -41,7 +41,7 @@ from sandbox.errors import CapacityError
 from sandbox.tables import Integers, Records, close_up, copy_rows, plain
 from sandbox.world.records import CONTACT, CounterPlace
 from sandbox.world.rows import Added, Moved
-from sandbox.world.state import State
+from sandbox.world.state import State, apply_deferred
 
 _FEW = 1000
 """So many shapes never make too many pairs."""
@@ -78,6 +78,7 @@ class Stepper:
 
     def compile(self) -> None:
         """Compile what the step needs, if it has not been on this machine: seconds."""
+        apply_deferred(self._state)  # which may exchange more than has been already
         if self._exchanged:
             self._exchange()
         if self.calls.bound:

@@ -104,7 +104,6 @@ class World(Readings, Shown, FixedAttributes):
         events.
         """
         n = checked_count("World.step", n)
-        self._deferred.apply()  # before the calls take what rows there are
         self._stepper.compile()
         object.__setattr__(self, "_changes", self._changes + 1)  # ours looks up what may be set: 1 us
         if self._game is None and self._paths is None:
@@ -114,7 +113,6 @@ class World(Readings, Shown, FixedAttributes):
             self._play_step()
 
     def _advance(self, n: int) -> None:
-        self._deferred.apply()
         singly = self._events.sensed is not None
         while n > 0:
             try:

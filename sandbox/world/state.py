@@ -112,8 +112,10 @@ class Deferring(State):
         setattr(self, name, value)
 
 
-def apply_deferred(state: Deferring) -> None:
-    """Let it be one like any other, and have that done which was put off."""
+def apply_deferred(state: State) -> None:
+    """Have that done which was put off, if something was, and let it be a state like any other."""
+    if not isinstance(state, Deferring):
+        return
     own = object.__getattribute__(state, "__dict__")
     apply, own["_deferred"] = own["_deferred"], None
     object.__setattr__(state, "__class__", State)

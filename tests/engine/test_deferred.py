@@ -150,6 +150,26 @@ def test_joints_of_who_waits_to_go_are_gone() -> None:
     assert world.joint_names == ("hinge",)
 
 
+def test_who_stays_is_held_by_joints_as_ever_when_others_go_right_before_a_step() -> None:
+    """The calls of the step know already that rows have come, and not yet that joints go with those who wait to."""
+    balls = [ball("a", 0.0), ball("b", 1.0), ball("c", 3.0), ball("d", 4.0)]
+    hinges = [
+        {"id": "ab", "type": "revolute", "bodies": ["a", "b"], "anchor": [0.5, 4.0]},
+        {"id": "cd", "type": "revolute", "bodies": ["c", "d"], "anchor": [3.5, 4.0]},
+    ]
+    one, two = make([GROUND, *balls], hinges), make([GROUND, *balls], hinges)
+    for world in (one, two):
+        world.spawn(ball("first", 20.0))
+        world.step()
+        world.spawn(ball("new", 21.0))
+        assert "new" in world.names
+        world.delete(["a", "b"])
+        if world is one:
+            assert "a" not in world.names
+        world.step(30)
+    same_told(one, two)
+
+
 LOOKS: dict[str, Any] = {
     "state": lambda world: world.state.names,
     "directory": lambda world: [world.directory.has_body(name) for name in ("b1", "new")],

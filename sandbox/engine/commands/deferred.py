@@ -40,8 +40,7 @@ class Deferred:
 
     def apply(self) -> None:
         """Do what waits, if something does."""
-        if isinstance(self._state, Deferring):
-            apply_deferred(self._state)
+        apply_deferred(self._state)
 
     def take(self) -> Waiting:
         """What waits, for who does it now."""
