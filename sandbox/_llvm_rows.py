@@ -2,8 +2,8 @@
 
 By itself numba takes a negative index for one that counts from the end, as Python does, and asks that of every index
 unless LLVM can prove it needless. Kernels have none. With `SANDBOX_CHECK_ROWS=1` they are compiled to end the process
-at an index that is negative or past the end, and to name the kernel; run as Python, they would take the first for a row
-from the end.
+at an index that is negative or past the end, and to name the kernel and who called it; run as Python, they would take
+the first for a row from the end.
 
 numba's low-level extensions: https://numba.readthedocs.io/en/stable/extending/low-level.html
 """
@@ -92,12 +92,10 @@ def _place(context: Any, builder: Any, table: Any, value: Any, kinds: Sequence[A
 
 
 def _end_process(builder: Any) -> None:
-    """Say in which kernel, by functions of C's library, and end."""
-    module, nothing = builder.module, ir.VoidType()
+    """Say in which kernel, and from where in Python it is called, and end."""
+    module = builder.module
     words = f"sandbox: there is no such row; {module.name} asks for it\0"
     text = cgutils.global_constant(module, "no_such_row", cgutils.make_bytearray(words.encode()))
     pointer = ir.IntType(8).as_pointer()
-    say = cgutils.get_or_insert_function(module, ir.FunctionType(nothing, [pointer]), "perror")
-    end = cgutils.get_or_insert_function(module, ir.FunctionType(nothing, []), "abort")
-    builder.call(say, [builder.bitcast(text, pointer)])
-    builder.call(end, [])
+    end = cgutils.get_or_insert_function(module, ir.FunctionType(ir.VoidType(), [pointer]), "Py_FatalError")
+    builder.call(end, [builder.bitcast(text, pointer)])
