@@ -31,7 +31,7 @@ class LiveRun(FixedAttributes):
     `script` is what a recording did; it is known from the start, up to `length` steps.
     """
 
-    __slots__ = ("_cost", "_cuts", "_head", "_length", "_stepper", "_tape", "scene")
+    __slots__ = ("_cost", "_cuts", "_head", "_length", "_reached", "_stepper", "_tape", "scene")
 
     def __init__(
         self, scene: Scene, script: Sequence[TimedCommand] = (), length: int = 0, workers: int = 1, budget: int = BUDGET
@@ -41,6 +41,8 @@ class LiveRun(FixedAttributes):
         self._head = Playhead(self._stepper, Keyframes(budget))
         self._tape = Tape()
         self._length = length
+        self._reached = 0
+        """The last step that was seen of this run, which may be known no more: keyframes reach so far."""
         self._cost = 0.0
         self._cuts: list[int] = []
 
@@ -107,6 +109,7 @@ class LiveRun(FixedAttributes):
         self.world.step()
         self._cost = time.perf_counter() - begin
         self._length = max(self._length, self.step_count)
+        self._reached = max(self._reached, self.step_count)
         if self.step_count <= MAX_STEPS:
             self._tape.note(self.world)
 
@@ -158,7 +161,7 @@ class LiveRun(FixedAttributes):
     def _apply(self, command: Command, ending: frozenset[str]) -> None:
         command, stepper = plain_command(command), self._stepper
         self.world.apply(command)
-        if not self.at_end:
+        if not self.at_end or self.step_count < self._reached:
             self._forget_coming()
         stepper.note(command)
         for name in sorted(ending & self._held() - {getattr(command, "body", None)}):
@@ -176,11 +179,16 @@ class LiveRun(FixedAttributes):
 
     def _forget_coming(self) -> None:
         """Cut the run off here; moments that know more of it keep their own lists."""
-        self._cuts.append(self.step_count)
+        self._part(self.step_count)
         self._stepper.forget_coming()
         self._tape = self._tape.up_to(self.step_count)
-        self._head.part(self.step_count)
         self._length = self.step_count
+
+    def _part(self, step: int) -> None:
+        """The run goes another way after a step: what was seen of it from there on holds no more."""
+        self._cuts.append(step)
+        self._head.part(step)
+        self._reached = min(self._reached, step)
 
     def _future(self, label: str) -> Future:
         """All that is known, under a name."""
@@ -192,8 +200,7 @@ class LiveRun(FixedAttributes):
         stepper, theirs = self._stepper, future.script()
         common, parted = parting(stepper.commands, theirs)
         if parted is not None:
-            self._cuts.append(parted)
-            self._head.part(parted)
+            self._part(parted)
         past = parted is not None and self.step_count > parted
         stepper.commands, self._tape, self._length = theirs, self._tape_of(future, parted), future.length
         self._place(step, applied, anew=stepper.applied > common or past)

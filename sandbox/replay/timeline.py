@@ -85,7 +85,8 @@ class Timeline(LiveRun):
     def switch(self, number: int) -> None:
         """Know that one of the `branches` instead of this future, which becomes one of them; an act of its own.
 
-        Goes to the step after which they part. Raises `ArgumentError` if there is no such branch.
+        Goes to the step after which they part, or to its last one if that comes before. Raises `ArgumentError` if there
+        is no such branch.
         """
         if not 0 <= number < len(self._branches):
             raise ArgumentError(f"branch {number} is not one of the {len(self._branches)} that there are")
@@ -93,7 +94,7 @@ class Timeline(LiveRun):
         self.begin_act("Other future")
         self._redo.clear()
         common, step = parting(self.commands, wanted.script())
-        step = min(self.step_count, wanted.length) if step is None else step
+        step = min(self.step_count if step is None else step, wanted.length)
         branches = tuple(branch for branch in self._with_mine() if branch is not wanted)
         applied = common if step < wanted.length else wanted.known
         self._resume(Moment(wanted.label, wanted, step, applied, branches))

@@ -246,6 +246,31 @@ def test_a_restart_keeps_what_was_done_and_nothing_else() -> None:
     assert timeline.world.digest() == pushed
 
 
+def test_a_future_that_ends_before_the_other_parts_from_it_is_gone_to_at_its_end() -> None:
+    timeline = Timeline(SCENE)
+    play(timeline, 3)
+    timeline.begin_act("Push ball")
+    timeline.apply(ApplyImpulse("ball", (3.0, 0.0)))
+    timeline.begin_again()
+    timeline.switch(0)
+    timeline.switch(0)
+    assert (timeline.step_count, timeline.length, timeline.commands) == (0, 0, [])
+
+
+def test_what_was_seen_before_a_restart_holds_no_more_once_something_is_done() -> None:
+    timeline = Timeline(SCENE)
+    play(timeline, 20)
+    timeline.begin_again()
+    timeline.begin_act("Push ball")
+    timeline.apply(ApplyImpulse("ball", (3.0, 0.0)))
+    assert list(timeline.cuts) == [0]
+    play(timeline, 20)
+    for step in (9, 20):
+        timeline.seek(step)
+        assert timeline.world.digest() == straight(timeline)
+    assert sandbox.rerun(timeline.recording()).passed
+
+
 ACTS = st.lists(
     st.one_of(
         st.tuples(st.just("step"), st.integers(1, 12)),
