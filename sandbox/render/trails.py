@@ -51,7 +51,7 @@ class Trails:
             self._moments.popleft()
 
     def forget(self, step: int) -> None:
-        """Forget what was at a step and later: time goes on from there in another way."""
+        """Forget what was at a step and later, which is not so any more."""
         while self._moments and self._moments[-1].step >= step:
             self._moments.pop()
 
@@ -76,4 +76,6 @@ def _places(moment: _Moment, frame: Frame) -> Floats:
         return moment.center
     rows = {serial: row for row, serial in enumerate(moment.roster.serials)}
     index = np.array([rows.get(serial, -1) for serial in frame.roster.serials], np.int64)
-    return np.where((index >= 0)[:, None], moment.center[index] if len(moment.center) else np.nan, np.nan)
+    places = np.full((len(index), 2), np.nan)
+    places[index >= 0] = moment.center[index[index >= 0]]
+    return places

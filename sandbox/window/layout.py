@@ -113,7 +113,7 @@ class Layout:
 
     def _dock(self, workspace: Workspace, box: tuple[float, float, float, float]) -> Rect:
         """The room for panels and scene: left, top, width, height. Gives what the scene gets."""
-        left, top, width, height = box
+        left, top, width, height = *box[:2], max(box[2], 1.0), max(box[3], 1.0)
         imgui.set_next_window_pos(imgui.ImVec2(left, top))
         imgui.set_next_window_size(imgui.ImVec2(width, height))
         imgui.push_style_var(imgui.StyleVar_.window_padding, imgui.ImVec2(0.0, 0.0))

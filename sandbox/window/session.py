@@ -17,6 +17,7 @@ from sandbox.replay.recording.limits import SUFFIX
 from sandbox.replay.timeline import Timeline
 from sandbox.window.clock import StepClock
 from sandbox.window.grip import Grip
+from sandbox.window.history import Branches
 
 if TYPE_CHECKING:
     from sandbox.replay.recording.command_words import TimedCommand
@@ -50,6 +51,7 @@ class Session:
         """Called after each step that is shown; what they keep of it holds until `timeline.cuts` says otherwise."""
         self.trails: Trails | None = None
         """Where bodies were; kept while somebody wants to see it."""
+        self._branches = Branches()
         self._blended: Frame | None = None
         self._blended_of = (0, 0, 0.0)
         self.previous = self.current = capture(self.world.state)
@@ -197,6 +199,9 @@ class Session:
 
     def _look_anew(self) -> None:
         """Time has jumped, or something was put elsewhere: show the world as it is, without a blend."""
+        parting = self._branches.parting(self.timeline)
+        if parting is not None and self.trails is not None:
+            self.trails.forget(parting + 1)
         self.previous = self.current = capture(self.world.state, self.current.mesh)
 
     def _take(self) -> None:

@@ -71,7 +71,7 @@ class Steering:
 
     def end_picture(self, panels: dict[str, str], front: str) -> None:
         """After the widgets of a picture. `panels` are the open ones, with what ImGui calls their windows; `front` is
-        the first one that is not hidden by others."""
+        the first one that is not hidden, "" if all are, as in a window without room for any."""
         if self.what == MENUS and self._coming is None and not imgui.is_popup_open("", ANY_POPUP):
             self.what = ""  # something was chosen
         if self.what == PANELS and self._coming == 0:
@@ -93,14 +93,17 @@ class Steering:
         if not names:
             self.what = ""
             return
-        self.panel = names[(names.index(self.panel) + 1) % len(names)] if self.panel in names else front
+        before = names.index(self.panel) if self.panel in names else names.index(front or names[0]) - 1
+        self.panel = names[(before + 1) % len(names)]
         imgui.set_window_focus(panels[self.panel])
         self._landing, self._window = PASSING, panels[self.panel]
 
     def _land(self) -> None:
         """Go to the first widget of the panel; asked for before it is drawn, once it is in front."""
         self._landing = self._landing - 1 if self._landing else None
-        window = imgui.internal.find_window_by_name(self._window)
-        if self._landing == 0 and window is not None:
+        if self._landing != 0:
+            return
+        window, focused = imgui.internal.find_window_by_name(self._window), imgui.get_current_context().nav_window
+        if window is not None and focused is not None and focused.id_ == window.id_:  # nothing else has come in front
             imgui.internal.nav_init_window(window, True)
             imgui.set_nav_cursor_visible(True)

@@ -118,3 +118,17 @@ def test_films_have_trails_where_the_overlay_is_asked_for() -> None:
     shooting = Shooting(stepping.world, Style((640, 400), DARK, overlays=[OVERLAYS["trails"]]))
     *_, last = shots(stepping, range(60), 0.25, shooting)
     assert not any(len(layer.strokes) for layer in last.marks)  # what rests leaves none
+
+
+def test_who_comes_into_an_empty_world_has_no_trail_from_before() -> None:
+    world, trails = world_of(), Trails()
+    world.step(4)
+    trails.note(world.state)
+    world.spawn({"id": "late", "position": [0, 0], "velocity": [60, 0], "shapes": [{"circle": 0.5}]})
+    world.step(4)
+    trails.note(world.state)
+    world.step(4)
+    start, end, rows = trails.lines(capture(world.state), FAR)
+    assert rows.tolist() == [0]
+    assert np.isnan(start[0, 0]).all()
+    assert np.hypot(*(end[0, 1] - start[0, 1])) == pytest.approx(4.0)

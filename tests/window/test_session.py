@@ -6,8 +6,10 @@ import numpy as np
 import pytest
 
 import sandbox
-from sandbox import Delete, Spawn
+from sandbox import Delete, SetVelocity, Spawn
 from sandbox.render.body_colors import body_colors_of
+from sandbox.render.camera import Camera
+from sandbox.render.trails import Trails
 from sandbox.window.session import MOST_STEPS, Session
 
 SCENE = sandbox.Scene(
@@ -143,3 +145,21 @@ def test_the_hand_keeps_its_body_and_lets_go_of_one_that_is_gone(session: Sessio
     session.grip.pull((6.0, 6.0))
     session.grip.let_go()
     session.step_once()
+
+
+def test_trails_are_those_of_the_future_that_is_shown(session: Session) -> None:
+    def furthest() -> float:
+        assert session.trails is not None
+        return float(np.nanmax(session.trails.lines(session.current, Camera())[0], initial=-np.inf))
+
+    session.do("Throw crate", SetVelocity("crate", (0.0, 3.0), 0.0))
+    session.skip(40)
+    session.seek(0)
+    session.do("Throw other", SetVelocity("other", (50.0, 0.0), 0.0))
+    session.trails = Trails()
+    for _ in range(40):
+        session.step_once()
+    assert furthest() > 800.0
+    session.switch(0)
+    session.seek(40)
+    assert furthest() == -np.inf  # nobody has seen its steps since there are trails

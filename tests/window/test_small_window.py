@@ -15,6 +15,8 @@ from tests.window.hands import play
 from tests.window.test_session import SCENE as CRATES
 
 SIZE = 640, 400
+KEYS = "F4", "F2", "F3", "F5", "F6", "F7", "F10", "F11", "U"
+"""Of all panels."""
 SCENE = sandbox.Scene(
     bodies=[{"id": "ground", "type": "static", "shapes": [{"box": [40, 1]}], "position": [0, -0.5]}],
     counters={"score": 0, "bricks-left": 50, "balls": 3},
@@ -120,3 +122,27 @@ def test_hands_press_nothing_that_is_scrolled_out_of_sight(canvas: Canvas, tmp_p
         look,
         size=SIZE,
     )
+
+
+@pytest.mark.parametrize("size", [(1, 1), (300, 2), (2, 300), (60, 400)])
+def test_a_window_may_have_next_to_no_room(size: tuple[int, int], canvas: Canvas, tmp_path: Path) -> None:
+    """Who moves it to the edge of the screen goes on where it is large again."""
+    panels = "".join(f"key {key}\nwait 2\nkey Ctrl+K\nwait 3\nkey Esc\n" for key in KEYS)
+
+    def picks(screen: PlayScreen) -> None:
+        screen.workspace.selection.pair = "ground", "crate"
+
+    screen = play(canvas, CRATES, tmp_path, "wait 2\n", picks, panels, "key .\nwait 2\n", size=size)
+    assert len(screen.workspace.panels) == 9
+    assert screen.session.timeline.step_count > 0
+
+
+def test_nothing_is_pasted_where_nothing_can_be(canvas: Canvas, tmp_path: Path) -> None:
+    """Zoomed out so far that a pixel is ten thousand kilometres."""
+
+    def after(screen: PlayScreen) -> None:
+        assert "within +-1e+09 m" in screen.note
+        assert len(screen.session.world.bodies) == 3
+
+    acts = "key Ctrl+A\nkey Ctrl+C\nwheel -200 300,200\nmove 500,300\nwait 2\nkey Ctrl+V\nwait 2\n"
+    play(canvas, CRATES, tmp_path, acts, after, size=SIZE)

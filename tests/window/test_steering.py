@@ -9,6 +9,7 @@ import pytest
 import sandbox
 from sandbox.window.play import PlayScreen
 from sandbox.window.screen import Canvas
+from sandbox.window.steering import PANELS
 from tests.window.hands import play
 
 SCENE = sandbox.Scene(
@@ -79,3 +80,29 @@ def test_a_panel_is_gone_through_and_changed(canvas: Canvas, tmp_path: Path) -> 
         to + number + number + "type -1.62\nkey Enter\nwait 3\nkey Esc\n", both,
     )  # fmt: skip
     assert seen == ["inspector", "world", "overlays", "world"]
+
+
+def test_a_panel_that_opens_in_the_way_there_has_the_keyboard(canvas: Canvas, tmp_path: Path) -> None:
+    def both(screen: PlayScreen) -> None:
+        """Two keys in one picture, as where each takes long."""
+        screen.workspace.steering.begin(PANELS)
+        screen.workspace.toggle_panel("overlays")
+
+    def after(screen: PlayScreen) -> None:
+        assert screen.workspace.steering.what == PANELS
+        assert "overlays" in screen.workspace.panels - screen.workspace.behind
+
+    play(canvas, SCENE, tmp_path, "wait 3\n", both, "wait 4\n", after)
+
+
+def test_a_window_without_room_for_any_panel_has_them_all_the_same(canvas: Canvas, tmp_path: Path) -> None:
+    seen: list[str] = []
+
+    def where(screen: PlayScreen) -> None:
+        assert screen.workspace.panels == screen.workspace.behind
+        seen.append(screen.workspace.steering.panel)
+
+    to = "key Ctrl+K\nwait 4\n"
+    play(canvas, SCENE, tmp_path, "key F2\nkey F3\nwait 4\n", to, where, to, where, to, where, size=(60, 400))
+    assert sorted(seen[:2]) == ["inspector", "world"]
+    assert seen[2] == seen[0]

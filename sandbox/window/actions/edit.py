@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 from sandbox.engine.commands.delete import Delete, DeleteJoint, DeleteRegion
 from sandbox.engine.commands.spawn import Spawn
 from sandbox.window.actions.action import Action
@@ -66,21 +68,23 @@ def _paste(workspace: Workspace) -> None:
         xs = [entry.get("position", (0.0, 0.0))[0] for entry in bodies]
         ys = [entry.get("position", (0.0, 0.0))[1] for entry in bodies]
         offset = workspace.pointer[0] - sum(xs) / len(xs), workspace.pointer[1] - sum(ys) / len(ys)
-    _spawn(workspace, "Paste", paste_of(workspace.session.world, bodies, joints, offset))
+    _spawn(workspace, "Paste", lambda: paste_of(workspace.session.world, bodies, joints, offset))
 
 
 def _duplicate(workspace: Workspace) -> None:
     names = workspace.selection.present(workspace.session.world)
     if names:
-        _spawn(workspace, "Duplicate", copy_of(workspace.session.world, names, _beside(workspace)))
+        _spawn(workspace, "Duplicate", lambda: copy_of(workspace.session.world, names, _beside(workspace)))
     else:
         workspace.say("there is nothing selected to duplicate")
 
 
-def _spawn(workspace: Workspace, title: str, entries: Entries) -> None:
-    names = tuple(entry["id"] for entry in entries[0])
-    if workspace.do(f"{title} {_told(names)}", Spawn(*entries)):
-        workspace.selection.pick_all(names)
+def _spawn(workspace: Workspace, title: str, make: Callable[[], Entries]) -> None:
+    with workspace.attempt(f"{title} is not possible"):  # as so far away that nothing can be there
+        entries = make()
+        names = tuple(entry["id"] for entry in entries[0])
+        if workspace.do(f"{title} {_told(names)}", Spawn(*entries)):
+            workspace.selection.pick_all(names)
 
 
 def _beside(workspace: Workspace) -> tuple[float, float]:

@@ -21,6 +21,8 @@ ROW, MOST_ROWS = 36.0, 9
 """Height of a row in pixels, and how many are shown before the table scrolls."""
 WIDE, NARROW = 430.0, 300.0
 """Pixels from which the axis is written out as well, and below which all is written smaller."""
+LEAST = 0.2
+"""How small that is at least: in a panel without room the table is cut off."""
 TEXT, UNTESTED = 13.0, 0.78
 """Size of what is written, and the opacity of rows that the test did not need."""
 
@@ -42,7 +44,7 @@ class TableView:
         rows = self.seen.table.rows
         scrolls = len(rows) > MOST_ROWS
         wide -= imgui.get_style().scrollbar_size if scrolls else 0.0
-        shrink = min(1.0, wide / scaled(NARROW))
+        shrink = min(max(wide / scaled(NARROW), LEAST), 1.0)
         columns = _Columns(wide, shrink)
         imgui.push_font(None, TEXT * shrink)
         self._header(columns)
