@@ -8,9 +8,19 @@ from collections.abc import Sequence
 from contextlib import suppress
 from io import TextIOWrapper
 
+INTERRUPTED = 130
+"""Exit code after Ctrl-C: 128 + SIGINT, as of all programs."""
+
 
 def main(arguments: Sequence[str] | None = None) -> None:
     """Run the command line (`sys.argv` by default) and exit with its code; users never see a traceback."""
+    try:
+        _run(arguments)
+    except KeyboardInterrupt:  # while commands are looked up: those that run have it told by typer
+        raise SystemExit(INTERRUPTED) from None
+
+
+def _run(arguments: Sequence[str] | None) -> None:
     _fill_in_closed_streams()
     from sandbox._lent import keep_streams
     from sandbox.cli.app import build

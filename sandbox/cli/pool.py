@@ -20,7 +20,7 @@ JOBS = typer.Option("-j", "--jobs", min=0, max=256, metavar="N", help="Processes
 
 
 @contextmanager
-def _ended_by_sigterm() -> Iterator[None]:
+def ended_by_sigterm() -> Iterator[None]:
     """End all processes with this one when it is asked to end, as `kill`, `timeout` and CI servers do."""
 
     def end(number: int, frame: object) -> None:
@@ -40,7 +40,7 @@ def _ended_by_sigterm() -> Iterator[None]:
 def elsewhere(work: Callable[[Item], Made], items: Sequence[Item], workers: int) -> Iterator[Made]:
     """What `work` makes of each of `items`, in fresh processes. Raises `SandboxError` if one is killed."""
     # What a shell lent this process, it alone can read.
-    with _ended_by_sigterm(), fresh_processes(workers, keep_streams, kept_streams()) as pool:
+    with ended_by_sigterm(), fresh_processes(workers, keep_streams, kept_streams()) as pool:
         futures = [pool.submit(work, item) for item in items]
         yield from (future.result() for future in futures)
 

@@ -112,7 +112,7 @@ def _telling_how_to_go_on(done: Mapping[int, Outcome], runs: int) -> Iterator[No
     """Say what is kept, where runs are interrupted or fail all together."""
     try:
         yield
-    except (KeyboardInterrupt, SandboxError):
+    except (KeyboardInterrupt, SystemExit, SandboxError):
         print(f"{len(done)} of {runs} runs are kept; --resume goes on with the others", file=sys.stderr)
         raise
 
@@ -121,11 +121,12 @@ def _progressing(study: Study, jobs: Sequence[Job], options: SweepOptions, begun
     """Make runs and show how many are done; `begun` is the name of the scene, and how many were done before."""
     from rich.console import Console
 
+    from sandbox.cli.pool import ended_by_sigterm
     from sandbox.cli.progress import SceneProgress
     from sandbox.sweeps.sweep import outcomes_of
 
     name, before = begun
-    with SceneProgress(Console(stderr=True), 1, "runs") as progress:
+    with ended_by_sigterm(), SceneProgress(Console(stderr=True), 1, "runs") as progress:
         progress.begin(name, before + len(jobs))
         progress.done(before)
         for done, outcome in enumerate(outcomes_of(study, jobs, options.scheduler or options.jobs or None), 1):

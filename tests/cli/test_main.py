@@ -40,6 +40,15 @@ def test_check_help_documents_the_exit_codes(cli: Callable) -> None:
         assert part in text
 
 
+def test_ctrl_c_while_commands_are_looked_up_is_silent(cli: Callable, monkeypatch: pytest.MonkeyPatch) -> None:
+    def interrupted() -> None:
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(app, "build", interrupted)
+    done = cli("list")
+    assert (done.code, done.out, done.err) == (130, "", "")
+
+
 @pytest.mark.parametrize("arguments", [["--help"], ["--version"], ["check", "--help"]])
 def test_help_imports_nothing_heavy(arguments: list[str]) -> None:
     program = (

@@ -9,6 +9,7 @@ import os
 import signal
 import subprocess
 import sys
+import time
 from collections.abc import Callable
 from pathlib import Path
 
@@ -223,3 +224,20 @@ def test_processes_end_with_the_one_that_started_them(write_scene: Callable, nam
     assert process.returncode == (128 + number if name == "SIGTERM" else -number)
     if name == "SIGTERM":
         assert told == ""
+
+
+@pytest.mark.skipif(os.name != "posix", reason="there are no such signals")
+@pytest.mark.slow
+def test_a_sweep_that_is_told_to_end_says_what_is_kept(write_scene: Callable) -> None:
+    write_scene("long.scene.json", settings={"steps": 1, "sleeping": False})
+    varied = ["--vary", "settings.steps=1,1000000,1000000", "-j", "2", "-o", "table.csv"]
+    command = [sys.executable, "-m", "sandbox", "sweep", "long.scene.json", *varied]
+    process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+    journal = Path("table.csv.journal")
+    while process.poll() is None and not (journal.exists() and len(journal.read_text().splitlines()) == 2):
+        time.sleep(0.05)
+    process.send_signal(signal.SIGTERM)
+    _, told = process.communicate(timeout=1800)
+    assert process.returncode == 128 + signal.SIGTERM
+    assert "1 of 3 runs are kept" in told
+    assert "leaked" not in told
