@@ -2,8 +2,8 @@
 
 The bounds of motors, limits, ropes and brakes make this a complementarity problem. It is solved by block pivoting
 (J. Judice, F. Pires, 1994): guess which rows are at a bound, solve the others at once, and look again. The first guess
-is what the substep before came to. Where guesses go in circles, as along a chain of hinges with friction, all of whose
-rows say nearly the same, motors are held where the last guess has left them, and stops let go for that pass.
+is what the substep before came to. Guesses may go in circles, as along a chain of hinges with friction, all of whose
+rows say nearly the same, or in a net of ropes: then `descent` goes on.
 """
 
 from __future__ import annotations
@@ -24,8 +24,6 @@ _AT_BOUND = 1.0 - 1e-9
 """The share of a bound from which on an impulse of the substep before is at it; it has been rounded since."""
 _AT_REST = 1e-10
 """Speed (m/s or rad/s) along a row at its bound that is no more than rounding."""
-_NO_BOUND = 1e250
-"""Impulses (N s or N m s) from here on are no bound: `INFINITE` times the length of a substep."""
 
 
 @kernel
@@ -81,18 +79,18 @@ def aim_rows(d: Batches, batch: Records, seconds: float, purpose: int, who: Mask
                 law = target_positions(v, batch, frame, row, ahead, speed, seconds, acting, springs_acting)
             where = who & has_law(v, batch, row)
             before = load(v, row.place + at.BIAS)
-            _replace(v, row.place + at.BIAS, law.bias, where)
-            _replace(v, row.place + at.SOFTNESS, law.softness, where)
+            replace(v, row.place + at.BIAS, law.bias, where)
+            replace(v, row.place + at.SOFTNESS, law.softness, where)
             if row.bounded == 1:
-                _replace(v, row.place + at.LOW, law.low, where)
-                _replace(v, row.place + at.HIGH, law.high, where)
+                replace(v, row.place + at.LOW, law.low, where)
+                replace(v, row.place + at.HIGH, law.high, where)
                 stop = at.HELD if purpose == BLOW else at.STOP  # the pass that goes on asks which one had a say before
                 place = batch.rows + row.kept + stop
                 differs = (load(v, row.place + at.ACTIVE) == 1.0) & (load(v, place) != law.stop)
                 if any_lane(where & differs):
                     notable = absolute(before - law.bias) > _AT_REST * units_of(d, frame, row)
                     changed = changed | (where & differs & notable)
-                _replace(v, place, law.stop, where)
+                replace(v, place, law.stop, where)
     return changed
 
 
@@ -104,7 +102,8 @@ def has_law(v: Floats, batch: Records, row: Records) -> Mask:
 
 
 @inlined_kernel
-def _replace(v: Floats, place: int, value: Vector, where: Mask) -> None:
+def replace(v: Floats, place: int, value: Vector, where: Mask) -> None:
+    """Store a vector at `place` in some lanes."""
     store(v, place, select(where, value, load(v, place)))
 
 
@@ -134,24 +133,6 @@ def _is_active(v: Floats, batch: Records, row: Records, impulse: int, slow: floa
     was_low = first & (low < 0.0) & (current <= _AT_BOUND * low)
     was_high = first & (high > 0.0) & (current >= _AT_BOUND * high)
     return ~((low >= high) | at_low | at_high | was_low | was_high)
-
-
-@kernel
-def hold_bounded(d: Batches, batch: Records, impulse: int, who: Mask) -> None:
-    """Leave the rows that have bounds out of the linear system. Those of motors give what they gave, put within their
-    bounds; what stops gave, which may be anything in a wrong guess, is taken back."""
-    v = d.memory
-    layout = d.layouts[batch.layout]
-    for r in range(layout.first_row, layout.row_end):
-        row = d.equations[r]
-        if row.bounded == 1:
-            below = load(v, row.place + at.LOW) > -_NO_BOUND
-            above = load(v, row.place + at.HIGH) < _NO_BOUND
-            active = load(v, row.place + at.ACTIVE)
-            store(v, row.place + at.ACTIVE, select(who & (below | above), 0.0, active))
-            stops = who & has_law(v, batch, row) & (below | above) & ~(below & above)
-            change_impulse(v, batch, row, -load(v, batch.rows + row.kept + impulse), impulse, stops)
-    clamp_rows(d, batch, impulse, who)
 
 
 @kernel
@@ -211,5 +192,5 @@ def _cap_pair(d: Batches, batch: Records, frame: Records, seconds: float, purpos
         share = limit / select(where, size, 1.0) - 1.0
         change_impulse(v, batch, row, share * x, impulse, where)
         change_impulse(v, batch, other, share * y, impulse, where)
-        _replace(v, row.place + at.CAPPED, spread(1.0), where)
-        _replace(v, other.place + at.CAPPED, spread(1.0), where)
+        replace(v, row.place + at.CAPPED, spread(1.0), where)
+        replace(v, other.place + at.CAPPED, spread(1.0), where)

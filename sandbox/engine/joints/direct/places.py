@@ -26,7 +26,8 @@ KICK_X = 8 * WIDTH
 KICK_Y = 9 * WIDTH
 KICK_W = 10 * WIDTH
 CORRECTION_X = 11 * WIDTH
-"""Position correction of a separated part: moves it, is no velocity."""
+"""Position correction of a separated part: moves it, is no velocity. Until it is found, and after the move, the
+velocity with which guesses at which rows are at a bound began."""
 CORRECTION_Y = 12 * WIDTH
 CORRECTION_W = 13 * WIDTH
 SEAT_SIZE = 14 * WIDTH
@@ -154,7 +155,9 @@ IN_SYSTEM = 23 * WIDTH
 """1 while its equation, which two rows may share, is part of the linear system."""
 DIAGONAL = 24 * WIDTH
 """Softness of its equation."""
-ROW_SIZE = 25 * WIDTH
+BEGAN = 25 * WIDTH
+"""The impulse with which guesses at which rows are at a bound began."""
+ROW_SIZE = 26 * WIDTH
 
 # What is known of each part of a batch.
 HALVES = 0 * WIDTH

@@ -7,11 +7,12 @@ from sandbox._vectors import Mask, any_lane, load, select, spread, store
 from sandbox.engine.joints.direct import places as at
 from sandbox.engine.joints.direct.assemble import assemble
 from sandbox.engine.joints.direct.bodies import gather_bodies, look_ahead, scatter_bodies
+from sandbox.engine.joints.direct.descent import descend, keep_beginning
 from sandbox.engine.joints.direct.frames import measure_frames
 from sandbox.engine.joints.direct.geometric_stiffness import add_geometric_stiffness, remove_geometric_stiffness
 from sandbox.engine.joints.direct.ldl import factorize, solve_directly
 from sandbox.engine.joints.direct.passes import MOVE, RELAX, impulse_of
-from sandbox.engine.joints.direct.pivoting import cap_pairs, choose_rows, hold_bounded
+from sandbox.engine.joints.direct.pivoting import cap_pairs, choose_rows
 from sandbox.engine.joints.direct.position_correction import CLOSE, find_corrections
 from sandbox.engine.joints.direct.preload import PRELOAD_TURNS, is_at_rest, take_as_preload
 from sandbox.engine.joints.direct.records import IS_LAST, SUBSTEP_LEVEL, Batches
@@ -198,12 +199,14 @@ def _start_warm(d: Batches, batch: Records, relaxing: bool) -> None:
 def solve_rows(d: Batches, batch: Records, seconds: float, purpose: int, who: Mask) -> Mask:
     """In which of the parts `who` all marks of the rows came to rest.
 
-    A part whose marks rest is left alone while others of its batch go on. Where they do not, rigid rows are solved in
-    the end with motors held and without stops.
+    A part whose marks rest is left alone while others of its batch go on. Where they do not, `descent` goes on from
+    where the guesses began.
     """
     layout = d.layouts[batch.layout]
     impulse = impulse_of(purpose)
     assemble(d, batch)
+    if layout.bounded == 1:
+        keep_beginning(d, batch, impulse)
     going = who
     settled = who & ~who
     again = settled
@@ -224,7 +227,5 @@ def solve_rows(d: Batches, batch: Records, seconds: float, purpose: int, who: Ma
         if layout.bounded == 0:
             return going
     if any_lane(going):
-        hold_bounded(d, batch, impulse, going)
-        factorize(d, batch)
-        solve_directly(d, batch, impulse, going)
+        descend(d, batch, seconds, purpose, going)
     return settled
