@@ -27,7 +27,9 @@ from sandbox.world.joint_records import GEAR
 
 SWEEPS = 480.0
 """Sweeps for each second: 2 in a substep of 1/240 s; longer ones have more to carry."""
-FEWEST = 1
+FEWEST = 2
+"""One each way: with one, always in the same order, hubs of many joints swing themselves up, the more the finer the
+substeps are."""
 MOST = 64
 STIFFNESS = 0.25
 """Frequency of rigid rows as a share of the rate of substeps of level 0: the most that these can follow."""
