@@ -110,6 +110,8 @@ NOTES: dict[int, str] = {
     47: "what nothing but friction joints or slack ropes hold takes the usual substeps",
     48: "round ends that jut out of what covers a corner of their line are touched all around; jointed bodies that "
     "bounce move in other units as in metres",
+    49: "where guesses at which stops of joints hold go in circles, impulses descend from those before; nets are swept "
+    "twice a substep at least",
 }
 """For each number, what changed the bits. The next change appends a line; no line is ever taken away."""
 
