@@ -28,7 +28,7 @@ _WANTED = {
     "model_attributes_type": "must be an object {...}",
     "dict_type": "must be an object {...}",
 }
-_AND_SO = "and so must those after it"
+_AND_SO = "and likewise in those after it"
 
 
 def findings(error: ValidationError, root: type[BaseModel]) -> list[Finding]:

@@ -170,7 +170,7 @@ LIST, OBJECT = ["x"], {"x": 1}
         ("rules.1.do.1.joint", "cra.*", "/rules/1/do/1/joint no joint's id matches \"cra.*\": did you mean \"car.*\"?"),
         # a list that is wrong as a whole
         ("bodies.2.path.to", [0, 2],
-         "/bodies/2/path/to/0 to[0] must be a list [x, y], not a number: and so must those after it"),
+         "/bodies/2/path/to/0 to[0] must be a list [x, y], not a number: and likewise in those after it"),
         ("rules.3.when.count", ["score"], "/rules/3/when/count count must be text, not a list"),
         ("expect.0.touches", "ball",
          '/expect/0/touches an expectation has one kind, and this one has "stands" and "touches"'),
