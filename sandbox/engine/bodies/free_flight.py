@@ -11,20 +11,15 @@ from typing import NamedTuple
 from sandbox._jit import inlined_kernel, kernel
 from sandbox._vectors import WIDTH, absolute, any_lane, select
 from sandbox.engine.bodies.integrate import Velocity, forces_on, integrate_velocity, prepare_some_forces
-from sandbox.engine.bodies.integrate_positions import FREE_Y, START, Scale, mean_velocity
+from sandbox.engine.bodies.integrate_positions import Scale, mean_velocity
 from sandbox.engine.bodies.quarantine import MAX_SPEED, freeze_in_step, slowed
-from sandbox.engine.records.bodies import POSE, VELOCITY, SolverBodies
-from sandbox.engine.records.gather_fields import Rows, gather_fields, scatter_fields
+from sandbox.engine.records.bodies import FREE_Y, INVERSE_MASS, POSE, START, TORQUE, VELOCITY, SolverBodies
+from sandbox.engine.records.gather_fields import Rows, gather_fields, rows_from, scatter_fields
 from sandbox.engine.records.workers import Workers
 from sandbox.engine.workers.parallel_for import first_part, next_part
 from sandbox.engine.workers.task_kinds import FLY, GRAVITY, IMPACTS, SECONDS, SUBSTEPS, UNITS
 from sandbox.geometry.trig import cos_sin, cos_sin_lanes
 from sandbox.tables import Floats, Integers, Records
-from sandbox.world.records import BODY
-
-_INVERSE_MASS = BODY.run("inverse_mass", "inverse_inertia", "force_x", "force_y")
-_TORQUE = BODY.run("torque", "linear_damping", "angular_damping", "gravity_scale")
-"""Numbers of fields, from which on four are read at once."""
 
 
 class Flight(NamedTuple):
@@ -90,18 +85,11 @@ def fly_some(
 ) -> int:
     """The same for some bodies; returns how many were frozen."""
     frozen = 0
-    last = rows.shape[0] - 1
-    for k in range(0, rows.shape[0], WIDTH):
-        # Behind the last body it comes again: all are read before any is written.
-        four: Rows = (
-            rows[k],
-            rows[k + 1 if k + 1 < last else last],
-            rows[k + 2 if k + 2 < last else last],
-            rows[k + 3 if k + 3 < last else last],
-        )
-        if _coast(bodies, four, solver, setting, flight):
+    count = rows.shape[0]
+    for k in range(0, count, WIDTH):
+        if _coast(bodies, rows_from(rows, k), solver, setting, flight):
             continue
-        some = rows[k : k + WIDTH if k + WIDTH <= last else last + 1]
+        some = rows[k : k + WIDTH if k + WIDTH < count else count]
         prepare_some_forces(bodies, some, solver, setting, flight.seconds)
         for i in some:
             if not _slow_down(solver, i, flight):
@@ -116,8 +104,8 @@ def _coast(bodies: Records, rows: Rows, solver: SolverBodies, setting: Records, 
     seconds = flight.seconds
     vx, vy, w, x = gather_fields(solver.motions, rows, VELOCITY)
     y, cosine, sine, angle = gather_fields(solver.motions, rows, POSE)
-    inverse_mass, inverse_inertia, force_x, force_y = gather_fields(bodies, rows, _INVERSE_MASS)
-    torque, linear_damping, angular_damping, gravity_scale = gather_fields(bodies, rows, _TORQUE)
+    inverse_mass, inverse_inertia, force_x, force_y = gather_fields(bodies, rows, INVERSE_MASS)
+    torque, linear_damping, angular_damping, gravity_scale = gather_fields(bodies, rows, TORQUE)
     ax = gravity_scale * setting.gravity_x + inverse_mass * force_x
     ay = gravity_scale * setting.gravity_y + inverse_mass * force_y
     by_force = forces_on(Velocity(ax, ay, inverse_inertia * torque), linear_damping, angular_damping, seconds)

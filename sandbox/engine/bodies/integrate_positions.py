@@ -7,8 +7,8 @@ from typing import NamedTuple
 from sandbox._jit import inlined_kernel, kernel
 from sandbox._vectors import WIDTH, Number, absolute, any_lane, select
 from sandbox.engine.bodies.integrate import SOLVED, Velocity
-from sandbox.engine.records.bodies import BODY_FORCES, FREE_MOTION, POSE, VELOCITY, SolverBodies
-from sandbox.engine.records.gather_fields import Rows, gather_fields, scatter_fields
+from sandbox.engine.records.bodies import BODY_FORCES, FREE_Y, POSE, START, VELOCITY, SolverBodies
+from sandbox.engine.records.gather_fields import Rows, gather_fields, rows_from, scatter_fields
 from sandbox.engine.records.workers import Workers
 from sandbox.engine.workers.parallel_for import first_part, next_part
 from sandbox.engine.workers.task_kinds import GRAVITY, IMPACTS, INTEGRATE_POSITIONS, SECONDS, UNITS
@@ -20,8 +20,6 @@ STRAIGHT = 0.01
 velocity holds also where all of the velocity is new."""
 UNTOUCHED = 1e-9
 """Velocity (m/s) up to which what contacts have given and taken back again counts as nothing: it is rounding."""
-START = FREE_MOTION.run("start_x", "start_y", "start_w", "free_x")
-FREE_Y = FREE_MOTION.run("free_y", "free_w", "substep_level", "buoyed")
 _ANGULAR_DECAY = BODY_FORCES.run("angular_decay", "extent", "moves", "by_end")
 """Numbers of fields, from which on four are read at once."""
 
@@ -60,16 +58,8 @@ def integrate_some_positions(
     What joints hold moves by the end velocity (`forces.by_end`).
     Before `late_impacts`, what the solver moves notes the velocity it has.
     """
-    last = rows.shape[0] - 1
     for k in range(0, rows.shape[0], WIDTH):
-        # Behind the last body it comes again, which moves it no further: all are read before any is written.
-        four: Rows = (
-            rows[k],
-            rows[k + 1 if k + 1 < last else last],
-            rows[k + 2 if k + 2 < last else last],
-            rows[k + 3 if k + 3 < last else last],
-        )
-        _integrate_four(four, solver, scale, seconds, late_impacts)
+        _integrate_four(rows_from(rows, k), solver, scale, seconds, late_impacts)
 
 
 @inlined_kernel

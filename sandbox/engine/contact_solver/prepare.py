@@ -16,7 +16,7 @@ from sandbox.engine.contact_solver.law import PairMass
 from sandbox.engine.contact_solver.rest_length import change_level
 from sandbox.engine.contact_solver.soft_constraint import Spring
 from sandbox.engine.midpoint.contacts_ahead import axis_owners, move_row, ways_of
-from sandbox.engine.records.bodies import SolverBodies
+from sandbox.engine.records.bodies import INVERSE_MASS, SolverBodies
 from sandbox.engine.records.contact_blocks import ContactBlocks
 from sandbox.engine.records.gather_fields import gather_fields
 from sandbox.engine.records.state import StateTables
@@ -24,12 +24,9 @@ from sandbox.engine.records.workers import Workers
 from sandbox.engine.workers.parallel_for import first_part, next_part
 from sandbox.engine.workers.task_kinds import IMPACT_SPEED, IMPACTS, LEVEL, PREPARE_CONTACTS, STRUCK_BLOCKS
 from sandbox.tables import Floats, Integers, Records
-from sandbox.world.records import BODY
 
 BLOCK_SIZE = cb.BLOCK_SIZE
 LANES = cb.LANES
-_INVERSE_MASS = BODY.run("inverse_mass", "inverse_inertia", "force_x", "force_y")
-"""Four are read at once, of which the first two are asked for."""
 
 
 @kernel
@@ -121,8 +118,8 @@ def _note_bodies(block: Records, slots: Records) -> None:
 @inlined_kernel
 def _masses_of(bodies: Records, rows: PairRows) -> PairMass:
     """The inverse masses of four pairs of bodies."""
-    mass_a, inertia_a, _, _ = gather_fields(bodies, rows.a, _INVERSE_MASS)
-    mass_b, inertia_b, _, _ = gather_fields(bodies, rows.b, _INVERSE_MASS)
+    mass_a, inertia_a, _, _ = gather_fields(bodies, rows.a, INVERSE_MASS)
+    mass_b, inertia_b, _, _ = gather_fields(bodies, rows.b, INVERSE_MASS)
     return PairMass(mass_a, inertia_a, mass_b, inertia_b)
 
 

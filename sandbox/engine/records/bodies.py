@@ -5,6 +5,11 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from sandbox.tables import Field, Integers, Records, Table
+from sandbox.world.records import BODY
+
+INVERSE_MASS = BODY.run("inverse_mass", "inverse_inertia", "force_x", "force_y")
+TORQUE = BODY.run("torque", "linear_damping", "angular_damping", "gravity_scale")
+"""Of a row of the state's bodies, what is read at once."""
 
 MOTION = Table(
     "motion",
@@ -44,6 +49,9 @@ FREE_MOTION = Table(
     ),
 )
 """One row a body: where an unhindered body would go, and how its island is solved."""
+START = FREE_MOTION.run("start_x", "start_y", "start_w", "free_x")
+FREE_Y = FREE_MOTION.run("free_y", "free_w", "substep_level", "buoyed")
+"""Either half of such a row."""
 
 BODY_FORCES = Table(
     "body_forces",

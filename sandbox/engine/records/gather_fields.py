@@ -6,10 +6,23 @@ from typing import TypeAlias
 
 from sandbox._jit import inlined_kernel
 from sandbox._vectors import Vector, load_fields, store_fields, transpose
-from sandbox.tables import Records
+from sandbox.tables import Integers, Records
 
 Rows: TypeAlias = tuple[int, int, int, int]
 """A row of a table for each lane."""
+
+
+@inlined_kernel
+def rows_from(rows: Integers, first: int) -> Rows:
+    """Four of a list of rows, from the one at `first` on. Behind the last one it comes again: to whom all are read
+    before any is written, it makes no difference."""
+    last = rows.shape[0] - 1
+    return (
+        rows[first],
+        rows[first + 1 if first + 1 < last else last],
+        rows[first + 2 if first + 2 < last else last],
+        rows[first + 3 if first + 3 < last else last],
+    )
 
 
 @inlined_kernel
