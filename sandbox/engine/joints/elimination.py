@@ -53,7 +53,7 @@ def minimum_degree(sides: Integers, weights: Integers, updates: int) -> Eliminat
 
     None if that takes more than about so many `updates` a row.
     """
-    count, budget = len(sides), updates * int(weights.sum()) + _FREE_UPDATES
+    count, budget = len(sides), budget_of(weights, updates)
     # A clique of m joints costs m^2 / 2 updates and more, so that all together have no more than this.
     cliques, used = _cliques(sides, math.isqrt(2 * count * budget) + 1 if budget > 0 else 0)
     order, seen = np.zeros(count, np.int64), np.zeros(count, np.int64)
@@ -66,6 +66,11 @@ def minimum_degree(sides: Integers, weights: Integers, updates: int) -> Eliminat
     below = place[cliques.joints[used : used + int(counts.sum())]]
     of_place = np.repeat(np.arange(count), counts)
     return Elimination(order, below[np.lexsort((below, of_place))], np.cumsum(counts))
+
+
+def budget_of(weights: Integers, updates: int) -> int:
+    """How many updates the joints of a part may take, at so many a row."""
+    return updates * int(weights.sum()) + _FREE_UPDATES
 
 
 def _cliques(sides: Integers, more: int) -> tuple[Cliques, int]:

@@ -12,10 +12,11 @@ from itertools import compress, pairwise
 import numpy as np
 from numpy.typing import NDArray
 
+from sandbox.engine.joints.augmented import ROWS_OF_BODY, augment
 from sandbox.engine.joints.direct.layout import DirectLayout, JointRows, direct_layout
-from sandbox.engine.joints.direct.records import Batches
+from sandbox.engine.joints.direct.records import BODY, Batches
 from sandbox.engine.joints.direct.tables import direct_tables
-from sandbox.engine.joints.elimination import WORLD, minimum_degree
+from sandbox.engine.joints.elimination import NOBODY, WORLD, Elimination, minimum_degree
 from sandbox.engine.joints.symbolic import symbolic
 from sandbox.tables import Integers
 from sandbox.world import joint_records as kinds
@@ -125,19 +126,41 @@ def part_layout(key: bytes) -> PartLayout:
     slots, shares = _slots(joints)
     sides = joints[:, 4:8]
     weights = (slots >= 0).sum(axis=1) - shares
-    found = minimum_degree(sides, weights, UPDATES_A_ROW)
-    order = np.arange(len(joints)) if found is None else found.order
-    seats, columns = np.nonzero(slots[order] >= 0)
-    of_row = slots[order][seats, columns]
     anchored = bool((sides == WORLD).any())
     hung = anchored and bool(_keep_place(joints[:, 0], slots).all())
+    found, bodies = _elimination(sides, weights)
+    order = np.arange(len(joints)) if found is None else found.order
+    of_joint = order[order < len(joints)]
     if found is None:
-        return PartLayout(order, seats, of_row, anchored, hung, None)
+        seats, columns = np.nonzero(slots >= 0)
+        return PartLayout(order, seats, slots[seats, columns], anchored, hung, None)
+    joints, slots, weights = _with_bodies(joints, slots, weights, bodies)
+    seats, columns = np.nonzero(slots[order] >= 0)
+    of_row = slots[order][seats, columns]
     counts = (slots[order] >= 0).sum(axis=1)
     pattern = symbolic(found, np.cumsum(counts) - counts, weights[order], len(of_row))
     bounded = _may_be_bounded(joints[order, 0][seats], of_row)
-    rows = JointRows(joints[order][:, [0, 2, 3, 8, 9]], sides[order], seats, of_row)
-    return PartLayout(order, seats, of_row, anchored, hung, direct_layout(rows, pattern, bool(bounded.any())))
+    rows = JointRows(joints[order][:, [0, 2, 3, 8, 9]], joints[order, 4:8], seats, of_row)
+    return PartLayout(of_joint, seats, of_row, anchored, hung, direct_layout(rows, pattern, bool(bounded.any())))
+
+
+def _elimination(sides: Integers, weights: Integers) -> tuple[Elimination | None, Integers]:
+    """How a part is factorised, if at all, and the bodies that stay in its system for that."""
+    found = minimum_degree(sides, weights, UPDATES_A_ROW)
+    if found is not None:
+        return found, np.zeros(0, np.int64)
+    return augment(sides, weights, UPDATES_A_ROW) or (None, np.zeros(0, np.int64))
+
+
+def _with_bodies(
+    joints: Integers, slots: Integers, weights: Integers, bodies: Integers
+) -> tuple[Integers, Integers, Integers]:
+    """The joints, their rows and how many columns they have, and behind them the same of bodies."""
+    more, rows = np.zeros((len(bodies), COLUMNS), np.int64), np.full((len(bodies), slots.shape[1]), -1)
+    more[:, 0], more[:, 4], more[:, 5:8] = BODY, bodies, NOBODY
+    rows[:, :ROWS_OF_BODY] = np.arange(ROWS_OF_BODY)
+    counts = np.full(len(bodies), ROWS_OF_BODY)
+    return np.vstack([joints, more]), np.vstack([slots, rows]), np.append(weights, counts)
 
 
 def _slots(joints: Integers) -> tuple[Integers, NDArray[np.bool_]]:

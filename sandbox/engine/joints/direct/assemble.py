@@ -1,11 +1,14 @@
-"""The matrices of a batch, J M^-1 J^T, entry by entry: each is a sum over the bodies that two rows have in common."""
+"""The matrices of a batch, J M^-1 J^T, entry by entry: each is a sum over the bodies that two rows have in common.
+
+Bodies that stay in the system (`augmented`) are no such bodies: they have rows of their own.
+"""
 
 from __future__ import annotations
 
 from sandbox._jit import inlined_kernel, kernel
-from sandbox._vectors import WIDTH, Vector, load, spread, store
+from sandbox._vectors import WIDTH, Vector, load, select, spread, store
 from sandbox.engine.joints.direct import places as at
-from sandbox.engine.joints.direct.records import ANY_PRODUCT, Batches
+from sandbox.engine.joints.direct.records import ANY_PRODUCT, OF_INERTIA, OF_JACOBIAN, Batches
 from sandbox.engine.joints.direct.rows import side_product
 from sandbox.tables import Floats, Records
 
@@ -66,12 +69,22 @@ def _product(v: Floats, batch: Records, product: Records) -> Vector:
     """What a body adds to the entry of two rows; it may be known for good what the velocity of its centre does."""
     if product.linear == ANY_PRODUCT:
         return side_product(v, batch, product.one, product.other, product.seat)
+    if product.linear >= OF_JACOBIAN:
+        return load(v, product.one) if product.linear == OF_JACOBIAN else _less_mass(v, batch, product)
     w = load(v, product.one + 2 * WIDTH) * load(v, product.other + 2 * WIDTH)
     turn = load(v, batch.seats + product.seat + at.INVERSE_INERTIA) * w
     if product.linear == 0:
         return turn
     mass = load(v, batch.seats + product.seat + at.INVERSE_MASS)
     return turn + mass if product.linear == 1 else turn - mass
+
+
+@inlined_kernel
+def _less_mass(v: Floats, batch: Records, product: Records) -> Vector:
+    """The diagonal of a body that stays in the system; of one that does not move the row is left out."""
+    field = at.INVERSE_INERTIA if product.linear == OF_INERTIA else at.INVERSE_MASS
+    inverse = load(v, batch.seats + product.seat + field)
+    return -1.0 / select(inverse > 0.0, inverse, 1.0)
 
 
 @inlined_kernel

@@ -10,15 +10,18 @@ from numpy.typing import NDArray
 
 from sandbox._vectors import WIDTH
 from sandbox.engine.joints.direct import places as at
+from sandbox.engine.joints.direct.body_rows import Terms, is_augmented, sides_without, terms_of_bodies
 from sandbox.engine.joints.direct.records import (
     ALONG_X,
     ALONG_Y,
     ANY_AXIS,
     ANY_PRODUCT,
+    BODY,
     ENTRY,
     EQUATION,
     FRAME,
     LAYOUT,
+    OF_BODY,
     PRODUCT,
     TURN,
 )
@@ -46,7 +49,8 @@ _SLIDES = (PRISMATIC, WHEEL)
 
 
 class JointRows(NamedTuple):
-    """The joints of a part in the order of elimination, and which joint and slot each row has.
+    """The joints of a part in the order of elimination, bodies that stay in its system among them (`BODY`), and which
+    joint and slot each row has.
 
     `joints` has their kind, whether they have limits and a motor, and for gears the kinds of the joints they couple;
     `sides` up to four bodies, `WORLD` where these are fixed, else `NOBODY`.
@@ -91,17 +95,17 @@ def direct_layout(rows: JointRows, pattern: Pattern, bounded: bool) -> DirectLay
     entries, products = _entries(rows, seats, pattern)
     layout = LAYOUT.zeros(1)
     layout.seats, layout.moving = moving + int(fixed.sum()), moving
-    layout.frame_end, layout.row_end, layout.joints = len(frames), len(equations), len(rows.joints)
+    layout.frame_end, layout.row_end, layout.joints = len(frames), len(equations), int((rows.kind != BODY).sum())
     layout.bounded = bounded
-    layout.hinged = not bounded and bool(np.isin(rows.kind, (REVOLUTE, WELD)).all())
+    layout.hinged = not bounded and bool(np.isin(rows.kind, (REVOLUTE, WELD, BODY)).all())
     layout.staggers = not (np.isin(rows.kind, _WEAK) | (rows.joints[:, 1] != 0)).any()
     return DirectLayout(layout, frames, equations, entries, products, (pattern.targets * WIDTH).astype(np.int32))
 
 
 def _frames(rows: JointRows, seats: Integers) -> Records:
-    """After a gear come the two joints that it couples, which have no rows here."""
-    gear = rows.side_counts == 4
-    counts = np.where(gear, 3, 1)
+    """After a gear come the two joints that it couples, which have no rows here. Bodies have no frame."""
+    gear, body = rows.side_counts == 4, rows.kind == BODY
+    counts = np.where(gear, 3, np.where(body, 0, 1))
     first = np.cumsum(counts) - counts
     joint = np.repeat(np.arange(len(counts)), counts)
     which = runs(np.zeros_like(counts), counts)
@@ -112,7 +116,7 @@ def _frames(rows: JointRows, seats: Integers) -> Records:
     kind, limit, motor, kind_1, kind_2 = rows.joints[joint].T
     table = FRAME.zeros(len(joint))
     table.kind = np.where(own, kind, np.where(second, kind_2, kind_1))
-    table.joint, table.coupled = joint, which
+    table.joint, table.coupled = (np.cumsum(~body) - 1)[joint], which
     table.limit, table.motor = np.where(own, limit, 0), np.where(own, motor, 0)
     table.slot_a, table.slot_b = slot_a, slot_b
     table.seat_a, table.seat_b = slot_a * at.SEAT_SIZE, slot_b * at.SEAT_SIZE
@@ -126,7 +130,8 @@ def _frames(rows: JointRows, seats: Integers) -> Records:
 
 def _equations(rows: JointRows, seats: Integers, pattern: Pattern) -> Records:
     table = EQUATION.zeros(len(rows.slot))
-    table.bounded = (rows.slot >= 2) | np.isin(rows.kind[rows.joint], SPRUNG_OR_WEAK)
+    kind = rows.kind[rows.joint]
+    table.bounded = (kind != BODY) & ((rows.slot >= 2) | np.isin(kind, SPRUNG_OR_WEAK))
     table.slot = rows.slot
     table.sides = rows.side_counts[rows.joint]
     table.axis = _axes(rows)
@@ -144,6 +149,7 @@ def _equations(rows: JointRows, seats: Integers, pattern: Pattern) -> Records:
     table.first_target[own] = np.cumsum(updates) - updates
     table.paired[own] = _pairs(rows.joint[own])
     table.shares = follows[1:]
+    table.augmented = np.where(kind == BODY, OF_BODY, is_augmented(rows.kind, rows.sides)[rows.joint])
     return table
 
 
@@ -159,7 +165,7 @@ def _axes(rows: JointRows) -> Integers:
     """What is known of the Jacobian of each row before anything has moved."""
     kind, slot = rows.kind[rows.joint], rows.slot
     slides = np.isin(kind, _SLIDES)
-    any_axis = np.isin(kind, (DISTANCE, PULLEY, GEAR)) | (slides & (slot != 1) & (slot != 2))
+    any_axis = np.isin(kind, (BODY, DISTANCE, PULLEY, GEAR)) | (slides & (slot != 1) & (slot != 2))
     along: Integers = np.where(slot == 0, ALONG_X, ALONG_Y)
     return np.where(any_axis, ANY_AXIS, np.where(slides | (slot >= 2), TURN, along))
 
@@ -168,31 +174,39 @@ def _entries(rows: JointRows, seats: Integers, pattern: Pattern) -> tuple[Record
     """The entries of the factor and what is added up in each: of each two rows what they have in common, at each body
     by which they do."""
     column, side, row, other_side = _links(rows, pattern)
-    place = pattern.entries(column, row)
-    order = np.lexsort((other_side, side, place))
-    column, side, row, other_side, place = (each[order] for each in (column, side, row, other_side, place))
     axes = _axes(rows)
-    entries, products = ENTRY.zeros(len(pattern.row_of)), PRODUCT.zeros(len(place))
-    products.one = row * at.ROW_SIZE + at.JACOBIAN + other_side * at.SIDE
-    products.other = column * at.ROW_SIZE + at.JACOBIAN + side * at.SIDE
-    products.linear = _linear(axes[row], axes[column], side == other_side)
-    products.seat = seats[rows.joint[row], other_side] * at.SEAT_SIZE
+    found = Terms(
+        pattern.entries(column, row),
+        row * at.ROW_SIZE + at.JACOBIAN + other_side * at.SIDE,
+        column * at.ROW_SIZE + at.JACOBIAN + side * at.SIDE,
+        _linear(axes[row], axes[column], side == other_side),
+        seats[rows.joint[row], other_side],
+    )
+    order = np.lexsort((other_side, side, found.entry))
+    more = terms_of_bodies(rows.kind, rows.sides, rows.joint, rows.slot, pattern)
+    terms = Terms(*(np.append(one[order], other) for one, other in zip(found, more, strict=True)))
+    order = np.argsort(terms.entry, kind="stable")
+    entries, products = ENTRY.zeros(len(pattern.row_of)), PRODUCT.zeros(len(order))
+    products.one, products.other, products.linear = terms.one[order], terms.other[order], terms.linear[order]
+    products.seat = terms.seat[order] * at.SEAT_SIZE
     entries.place = entries.total = np.arange(len(entries)) * WIDTH
     entries.other = pattern.row_of * at.ROW_SIZE
-    counts = np.bincount(place, minlength=len(entries))
+    counts = np.bincount(terms.entry, minlength=len(entries))
     entries.product_end = np.cumsum(counts)
     entries.first_product = entries.product_end - counts
     return entries, products
 
 
 def _links(rows: JointRows, pattern: Pattern) -> tuple[Integers, Integers, Integers, Integers]:
-    """Columns and rows of the factor, with the sides, from 0, on which they have a body in common that joints move."""
+    """Columns and rows of the factor, with the sides, from 0, on which they have a body in common that joints move and
+    that does not stay in the system."""
+    sides = sides_without(rows.kind, rows.sides)
     own = np.zeros(pattern.rows, np.bool_)
     own[pattern.row_of] = True
     row = np.flatnonzero(own)
-    at_row, side = np.nonzero(rows.sides[rows.joint[row]] >= 0)
+    at_row, side = np.nonzero(sides[rows.joint[row]] >= 0)
     row = row[at_row]
-    body = rows.sides[rows.joint[row], side]
+    body = sides[rows.joint[row], side]
     order = np.argsort(body, kind="stable")
     row, side = row[order], side[order]
     counts = np.bincount(body)

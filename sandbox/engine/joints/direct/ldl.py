@@ -11,11 +11,11 @@ for, and the spring gives what its law asks for at the speed that comes of it.
 from __future__ import annotations
 
 from sandbox._jit import inlined_kernel, kernel
-from sandbox._vectors import WIDTH, Mask, Vector, any_lane, load, select, store
+from sandbox._vectors import WIDTH, Mask, Vector, any_lane, load, select, spread, store
 from sandbox.engine.joints.direct import places as at
 from sandbox.engine.joints.direct.assemble import has_equation
 from sandbox.engine.joints.direct.records import Batches
-from sandbox.engine.joints.direct.rows import change_impulse, row_speed
+from sandbox.engine.joints.direct.rows import change_impulse, is_of_body, row_speed
 from sandbox.tables import Floats, Records
 
 _REDUNDANT = 1e-10
@@ -49,7 +49,7 @@ def _eliminate(d: Batches, batch: Records, row: Records) -> None:
         return
     targets = d.targets
     first, end = _column(d, row)
-    inverse = _inverse(v, batch, row, first)
+    inverse = _inverse(d, batch, row, first)
     t = row.first_target
     for i in range(first + WIDTH, end, WIDTH):
         scaled = load(v, i) * inverse
@@ -68,12 +68,12 @@ def _eliminate_pair(d: Batches, batch: Records, row: Records, after: Records) ->
     targets = d.targets
     first, second = _column(d, row)
     _, end = _column(d, after)
-    inverse = _inverse(v, batch, row, first)
+    inverse = _inverse(d, batch, row, first)
     between = load(v, first + WIDTH) * inverse
     shift = second - first - WIDTH
     for k in range(second, end, WIDTH):
         store(v, k, load(v, k) - between * load(v, k - shift))
-    inverse_after = _inverse(v, batch, after, second)
+    inverse_after = _inverse(d, batch, after, second)
     t = after.first_target
     for i in range(second + WIDTH, end, WIDTH):
         scaled = load(v, i - shift) * inverse
@@ -103,12 +103,18 @@ def _column(d: Batches, row: Records) -> tuple[int, int]:
 
 
 @inlined_kernel
-def _inverse(v: Floats, batch: Records, row: Records, pivot: int) -> Vector:
-    """One divided by the pivot of a row; 0 where others have said what it says."""
+def _inverse(d: Batches, batch: Records, row: Records, pivot: int) -> Vector:
+    """One divided by the pivot of a row; 0 where others have said what it says. That of a body is less than 0, of its
+    mass at least."""
+    v = d.memory
+    left = load(v, pivot)
     taken = load(v, row.place + at.IN_SYSTEM) == 1.0
     stiffness = load(v, batch.rows + row.kept + at.STIFFNESS)
+    if row.augmented != 0:
+        if is_of_body(row):
+            return 1.0 / left
+        stiffness = load(v, d.entries[row.first_entry].total)
     whole = select(taken, stiffness + load(v, row.place + at.DIAGONAL), 1.0)
-    left = load(v, pivot)
     sound = left > _REDUNDANT * whole
     if any_lane(~sound):
         batch.redundant = 1
@@ -122,6 +128,12 @@ def _unite_rows(d: Batches, batch: Records) -> None:
     layout = d.layouts[batch.layout]
     for r in range(layout.first_row, layout.row_end):
         row = d.equations[r]
+        if is_of_body(row):
+            inverse = at.INVERSE_INERTIA if row.slot == 2 else at.INVERSE_MASS
+            moves = load(v, batch.seats + row.seat_1 + inverse) > 0.0
+            store(v, row.place + at.IN_SYSTEM, select(moves, 1.0, spread(0.0)))
+            store(v, row.place + at.DIAGONAL, spread(0.0))
+            continue
         taken = load(v, row.place + at.ACTIVE)
         softness = load(v, row.place + at.SOFTNESS)
         if row.shares == 1:
@@ -160,6 +172,9 @@ def solve_directly(d: Batches, batch: Records, impulse: int, who: Mask) -> None:
     for r in range(layout.first_row, layout.row_end):
         row = d.equations[r]
         if not has_equation(row):
+            continue
+        if is_of_body(row):
+            store(v, row.place + at.CHANGE, spread(0.0))
             continue
         speed = row_speed(v, row)
         taken = who & (load(v, row.place + at.IN_SYSTEM) == 1.0)

@@ -29,6 +29,13 @@ TURN = 3
 """One that acts on the angle between its bodies alone."""
 ANY_PRODUCT = 2
 """`linear` of a product that is not known before its rows are."""
+OF_JACOBIAN, OF_MASS, OF_INERTIA = 3, 4, 5
+"""`linear` of what is no product: what a row does to a body that stays in the system, and less its mass or inertia."""
+OF_BODY = 2
+"""`augmented` of a row that is the velocity of a body that stays in the system: it has no law, and no impulse."""
+
+BODY = -1
+"""In the place of a joint's kind: a body that stays in the system, whose rows are its velocity, see `augmented`."""
 
 LAYOUT = Table(
     "layout",
@@ -80,6 +87,12 @@ EQUATION = Table(
         Field("bounded", "-", "1 when its impulse may have bounds, 0 when it gives whatever is asked for", "i4"),
         Field("kept", "-", "place of what lasts of it in the batch's memory", "i4"),
         Field("place", "-", "in the working memory", "i4"),
+        Field(
+            "augmented",
+            "-",
+            "1 when it acts on a body that stays in the system and on another one; 2: its velocity",
+            "i4",
+        ),
         Field("shares", "-", "1 when the next row acts on the same coordinate and has no equation of its own", "i4"),
         Field("first_entry", "-", "its column of the factor, from the diagonal down; nothing where it has none", "i4"),
         Field("entry_end", "-", "", "i4"),
@@ -106,7 +119,7 @@ PRODUCT = Table(
         Field("one", "-", "place of the Jacobian of one row at a body", "i4"),
         Field("other", "-", "place of that of the other row at the same body", "i4"),
         Field("seat", "-", "place of the body", "i4"),
-        Field("linear", "-", "product of what both do to its velocity: -1, 0, 1 or `ANY_PRODUCT`", "i4"),
+        Field("linear", "-", "product of what both do to its velocity: -1, 0, 1, `ANY_PRODUCT`, or 3 to 5", "i4"),
     ),
 )
 

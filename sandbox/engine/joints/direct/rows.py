@@ -5,7 +5,7 @@ from __future__ import annotations
 from sandbox._jit import inlined_kernel, kernel
 from sandbox._vectors import WIDTH, Mask, Vector, load, select, spread, store
 from sandbox.engine.joints.direct import places as at
-from sandbox.engine.joints.direct.records import ALONG_X, ALONG_Y, TURN, Batches
+from sandbox.engine.joints.direct.records import ALONG_X, ALONG_Y, OF_BODY, TURN, Batches
 from sandbox.engine.joints.laws import Jacobian, along, own_stiffness
 from sandbox.tables import Floats, Records
 from sandbox.world.joint_records import DISTANCE, GEAR, PRISMATIC, PULLEY
@@ -39,6 +39,8 @@ def fill_stiffness(d: Batches, batch: Records) -> None:
     layout = d.layouts[batch.layout]
     for r in range(layout.first_row, layout.row_end):
         row = d.equations[r]
+        if is_of_body(row):
+            continue
         inertia_a = load(v, batch.seats + row.seat_1 + at.INVERSE_INERTIA)
         inertia_b = load(v, batch.seats + row.seat_2 + at.INVERSE_INERTIA)
         if row.axis == TURN:
@@ -55,6 +57,12 @@ def fill_stiffness(d: Batches, batch: Records) -> None:
                         other = row.place + at.JACOBIAN + (m - 1) * at.SIDE
                         found = found + side_product(v, batch, one, other, _seat(row, k))
         store(v, batch.rows + row.kept + at.STIFFNESS, found)
+
+
+@inlined_kernel
+def is_of_body(row: Records) -> bool:
+    """Whether a row is the velocity of a body that stays in the system."""
+    return bool(row.augmented == OF_BODY)
 
 
 @inlined_kernel
@@ -234,7 +242,8 @@ def _side_speed(v: Floats, side: int, seat: int) -> Vector:
 
 @kernel
 def change_impulse(v: Floats, batch: Records, row: Records, change: Vector, impulse: int, who: Mask) -> None:
-    """Add to a row's impulse, which is its field `impulse`, and to the velocities of its bodies, where `who` says."""
+    """Add to a row's impulse, which is its field `impulse`, and to the velocities of its bodies, where `who` says. The
+    rows of a body change nothing: what changes its velocity are its joints."""
     batch.foreseen = 0
     kept = batch.rows + row.kept + impulse
     before = load(v, kept)
@@ -250,6 +259,8 @@ def change_impulse(v: Floats, batch: Records, row: Records, change: Vector, impu
         _turn(v, batch, row.seat_1, load(v, j + 2 * WIDTH) * change, who)
         _shift(v, batch, row.seat_2, way, change, who)
         _turn(v, batch, row.seat_2, load(v, j + at.SIDE + 2 * WIDTH) * change, who)
+        return
+    if is_of_body(row):
         return
     _push(v, batch, row.seat_1, j, change, who)
     _push(v, batch, row.seat_2, j + at.SIDE, change, who)
