@@ -23,8 +23,13 @@ class CommandClass(Command):
     """`--update` stands for `--update=changed`."""
 
     def parse_args(self, ctx: Any, args: list[str]) -> list[str]:
-        """Give a bare `--update` its value."""
-        return super().parse_args(ctx, ["--update=changed" if arg == "--update" else arg for arg in args])
+        """Give a bare `--update` its value: the word that follows, if it is one and nothing is called so."""
+        given: list[str] = []
+        for arg in args:
+            if given[-1:] == ["--update"] and arg in UPDATES and not os.path.exists(arg):
+                arg = f"{given.pop()}={arg}"
+            given.append(arg)
+        return super().parse_args(ctx, ["--update=changed" if arg == "--update" else arg for arg in given])
 
 
 @takes(ReplayOptions)

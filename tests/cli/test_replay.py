@@ -261,12 +261,14 @@ class TestUpdate:
             ("--update=changed", 0, "bc"),
             ("--update", 0, "bc"),
             ("--update=all", 0, "abc"),
+            ("--update missing", 1, "c"),
+            ("--update all", 0, "abc"),
         ],
     )
     def test_what_is_written(
         self, cli: Callable, three: dict[str, bytes], tmp_path: Path, option: str, code: int, changed: str
     ) -> None:
-        assert cli("replay", option, tmp_path).code == code
+        assert cli("replay", *option.split(), tmp_path).code == code
         after = {name: (tmp_path / f"{name}.replay.json").read_bytes() for name in "abc"}
         assert "".join(name for name in "abc" if after[name] != three.get(name)) == changed
         assert cli("replay", tmp_path).code == code
