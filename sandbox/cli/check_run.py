@@ -87,7 +87,8 @@ def _results(work: Work, console: Console) -> Iterator[Result]:
         with SceneProgress(console, len(files)) as progress:
             yield from (examine(file, progress=progress) for file in files)
         return
-    from sandbox.cli.pool import compile_first, elsewhere
+    from sandbox.cli.pool import elsewhere
+    from sandbox.engine.compile_first import compile_first
 
     with SceneProgress(console, 1, "files") as progress:
         progress.begin("scenes", len(files))

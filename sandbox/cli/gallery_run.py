@@ -15,8 +15,9 @@ from sandbox.cli.compiling import announce_compilation
 from sandbox.cli.document import print_document
 from sandbox.cli.failures import HOLDS, UNUSABLE, problems_of, report
 from sandbox.cli.gallery_options import GalleryOptions
-from sandbox.cli.pool import compile_first, elsewhere
+from sandbox.cli.pool import elsewhere
 from sandbox.cli.progress import SceneProgress
+from sandbox.engine.compile_first import compile_first
 from sandbox.errors import SandboxError
 from sandbox.render.thumbnail import thumbnail
 from sandbox.report.gallery_card import GalleryCard, gallery_card

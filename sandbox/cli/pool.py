@@ -43,13 +43,3 @@ def elsewhere(work: Callable[[Item], Made], items: Sequence[Item], workers: int)
     with ended_by_sigterm(), fresh_processes(workers, keep_streams, kept_streams()) as pool:
         futures = [pool.submit(work, item) for item in items]
         yield from (future.result() for future in futures)
-
-
-def compile_first() -> None:
-    """Fill an empty kernel cache once, or every process would."""
-    from sandbox._jit import cache_is_cold
-    from sandbox.engine.world import World
-    from sandbox.scene import Scene
-
-    if cache_is_cold():
-        World(Scene()).step()

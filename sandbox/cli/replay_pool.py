@@ -8,8 +8,9 @@ from contextlib import contextmanager
 from functools import partial
 from typing import TYPE_CHECKING
 
-from sandbox.cli.pool import compile_first, elsewhere
+from sandbox.cli.pool import elsewhere
 from sandbox.cli.progress import SceneProgress
+from sandbox.engine.compile_first import compile_first
 from sandbox.replay.golden.cases import Case
 from sandbox.replay.golden.examine import ReplaySettings, Report, examine
 

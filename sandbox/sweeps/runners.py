@@ -27,6 +27,8 @@ def run_here(study: Study, jobs: Iterable[Job]) -> Iterator[Outcome]:
 
 def run_in_processes(study: Study, jobs: Iterable[Job], processes: int) -> Iterator[Outcome]:
     """Over fresh processes. Raises `SandboxError` where one of them was killed."""
+    from sandbox.engine.compile_first import compile_first
+
     compile_first()
     waiting: set[Future[Outcome]] = set()
     queue = iter(jobs)
@@ -41,16 +43,6 @@ def run_in_processes(study: Study, jobs: Iterable[Job], processes: int) -> Itera
             done, waiting = wait(waiting, return_when=FIRST_COMPLETED)
             for future in done:
                 yield future.result()
-
-
-def compile_first() -> None:
-    """Fill an empty kernel cache once, or every process would."""
-    from sandbox._jit import cache_is_cold
-    from sandbox.engine.world import World
-    from sandbox.scene import Scene
-
-    if cache_is_cold():
-        World(Scene()).step()
 
 
 _study: Study | None = None
