@@ -11,6 +11,7 @@ from hypothesis import strategies as st
 
 from sandbox.engine.joints import augmented, part_layout
 from sandbox.engine.joints.augmented import ROWS_OF_BODY, augment
+from sandbox.engine.joints.direct.records import OF_BODY
 from sandbox.engine.joints.elimination import minimum_degree
 from sandbox.engine.world import World
 from tests.examples import examples
@@ -66,7 +67,7 @@ def test_no_joint_comes_before_all_of_its_bodies_and_there_is_room_for_what_is_f
 def stays(world: World) -> bool:
     """Whether a body stays in the system of some part."""
     work = world.scratch.joints
-    return work is not None and bool((work.direct.equations.augmented == 2).any())
+    return work is not None and bool((work.direct.equations.augmented == OF_BODY).any())
 
 
 def let_bodies_stay(patch):

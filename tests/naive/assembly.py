@@ -5,12 +5,14 @@ All numbers are those of the world from the start.
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Sequence
 from itertools import pairwise
 from typing import Any, NamedTuple
 
 import numpy as np
 
+from sandbox.engine.joints.augmented import MANY_ROWS
 from sandbox.engine.joints.net_lanes import lay_lanes
 from sandbox.engine.joints.pair_filter import NO_BOND, JointFilter
 from sandbox.engine.joints.part_layout import UPDATES_A_ROW, slots_of
@@ -23,7 +25,8 @@ Pair = tuple[int, int]
 
 
 class Row(NamedTuple):
-    """A row of a factorised part: whose it is, and the bodies on its sides, -1 the world."""
+    """A row of a factorised part: whose it is, and the bodies on its sides, -1 the world. The velocities of a body that
+    stays in the system are of joint -1."""
 
     joint: int
     slot: int
@@ -31,7 +34,9 @@ class Row(NamedTuple):
 
 
 class Product(NamedTuple):
-    """What one body, on a side of a row and on a side of another, adds to an entry."""
+    """What one body, on a side of a row and on a side of another, adds to an entry; or what a row does to a body that
+    stays, along the axis `other_side`, where `other` is -1; or less the mass of that body, or its inertia (2),
+    where it is -2."""
 
     row: int
     side: int
@@ -102,6 +107,28 @@ def assemble(joints: Records, bodies: Records) -> tuple[JointFilter, NaiveWork |
         first[low] = k
     work = layout.work(_pair_table(tied)) if layout.holding else None
     return JointFilter(_pair_table(bound), first), work
+
+
+def _of_body(rows: list[Row], r: int, s: int) -> list[Product]:
+    """The terms of an entry of a body that stays in the system."""
+    of_body, other = (r, s) if rows[r].joint < 0 else (s, r)
+    (body,), axis = rows[of_body].bodies, rows[of_body].slot
+    if rows[other].joint < 0:
+        return [Product(r, 0, -2, 2 * (axis == 2), body)] if r == s else []
+    return [Product(other, side, -1, axis, body) for side, each in enumerate(rows[other].bodies) if each == body]
+
+
+def _updates(later: dict[int, list[int]], weights: dict[int, int]) -> int:
+    """Updates of the elimination of nodes with so many rows; each links all that it was linked to."""
+    place = {node: k for k, node in enumerate(later)}
+    filled = {node: set(each) for node, each in later.items()}
+    total = 0
+    for node in later:
+        total += weights[node] * (weights[node] + sum(weights[k] for k in filled[node])) ** 2 // 2
+        if filled[node]:
+            first = min(filled[node], key=place.__getitem__)
+            filled[first] |= filled[node] - {first}
+    return total
 
 
 class _Layout:
@@ -175,10 +202,15 @@ class _Layout:
         neighbours = {j: sorted({k for body in self.touched[j] for k in self.of_body[body]} - {j}) for j in part}
         weights = {j: len(_without_shared(slots[j])) for j in part}
         order, direct = minimum_degree(part, neighbours, weights, UPDATES_A_ROW)
-        seats = [(j, slot) for j in order for slot in slots[j]]
+        place = {j: k for k, j in enumerate(order)}
+        later = {j: [k for k in neighbours[j] if place[k] > place[j]] for j in order}
+        if not direct:
+            later = self._augmented(part, weights) or {}
+            order, direct = (list(later), True) if later else (order, False)
         if direct:
-            bounded = any(_may_be_bounded(self.joints[j], slot) for j, slot in seats)
-            self.factors[number] = self._factor(order, seats, neighbours, bounded)
+            bounded = any(_may_be_bounded(self.joints[j], slot) for j in part for slot in slots[j])
+            self.factors[number] = self._factor(later, bounded)
+        order = [j for j in order if j >= 0]
         for j in order:
             sides = [self.member_of[body] for body in self._sides(self.joints[j])]
             self.rows += [] if direct else [(len(self.constraints), slot, sides) for slot in slots[j]]
@@ -199,34 +231,61 @@ class _Layout:
         )  # fmt: skip
         self.fixed += fixed
 
-    def _factor(
-        self, order: list[int], seats: list[tuple[int, int]], neighbours: dict[int, list[int]], bounded: bool
-    ) -> Factor:
-        """Columns of the factor and the pairs of rows that add to it."""
-        rows = [Row(j, slot, tuple(self._sides(self.joints[j]))) for j, slot in seats]
-        slots = {j: _without_shared(slots_of_joint(self.joints[j])) for j in order}
-        numbers = {j: [r for r, row in enumerate(rows) if row.joint == j and row.slot in slots[j]] for j in order}
+    def _augmented(self, part: Sequence[int], weights: dict[int, int]) -> dict[int, list[int]] | None:
+        """Joints, and bodies that stay in the system, `~body` in their place, as they are eliminated, and what of those
+        after it each is linked to at first; None if that takes too much."""
+        rows_of: Counter[int] = Counter()
+        for j in part:
+            for body in self.touched[j]:
+                rows_of[body] += weights[j]
+        stay = sorted((body for body, rows in rows_of.items() if rows > MANY_ROWS), key=self.member_of.__getitem__)
+        inner = {j: set(self.touched[j]) - set(stay) for j in part}
+        early = [j for j in part if inner[j]]
+        around = {j: [k for k in early if k != j and inner[j] & inner[k]] for j in early}
+        order, pays = minimum_degree(early, around, weights, UPDATES_A_ROW)
+        if not (stay and early and pays):
+            return None
         place = {j: k for k, j in enumerate(order)}
-        later = {j: [k for k in neighbours[j] if place[k] > place[j]] for j in order}
+        later = {
+            j: [k for k in around[j] if place[k] > place[j]] + [~body for body in stay if body in self.touched[j]]
+            for j in order
+        }
+        tail = [*(~body for body in stay), *(j for j in part if not inner[j])]
+        later |= {node: tail[k + 1 :] for k, node in enumerate(tail)}
+        budget = UPDATES_A_ROW * sum(weights.values()) + 2000
+        return later if _updates(later, weights | dict.fromkeys((~body for body in stay), 3)) <= budget else None
+
+    def _factor(self, later: dict[int, list[int]], bounded: bool) -> Factor:
+        """Columns of the factor and the pairs of rows that add to it. `later` are the nodes as they are eliminated."""
+        stay = {~node for node in later if node < 0}
+        rows, numbers = [], {}
+        for node in later:
+            slots = (0, 1, 2) if node < 0 else slots_of_joint(self.joints[node])
+            sides = (~node,) if node < 0 else tuple(self._sides(self.joints[node]))
+            numbers[node] = [len(rows) + k for k, slot in enumerate(slots) if slot in _without_shared(slots)]
+            rows += [Row(max(node, -1), slot, sides) for slot in slots]
         pattern = Pattern()
-        entry = symbolic([numbers[j] for j in order], [[numbers[k] for k in later[j]] for j in order], pattern)
+        columns_below = [[numbers[k] for k in sorted(each, key=list(later).index)] for each in later.values()]
+        entry = symbolic(list(numbers.values()), columns_below, pattern)
         ends = [*pattern.starts, len(pattern.row_of)]
         products: list[list[Product]] = [[] for _ in pattern.row_of]
-        for j in order:
-            for r in numbers[j]:
-                for s in (s for k in (j, *later[j]) for s in numbers[k] if s >= r):
-                    products[entry[r, s]] += self._products(rows, r, s)
+        for node, after in later.items():
+            for r in numbers[node]:
+                for s in (s for k in (node, *after) for s in numbers[k] if s >= r):
+                    products[entry[r, s]] += self._products(rows, r, s, stay)
         own = sorted(r for each in numbers.values() for r in each)
         of_row = dict(zip(own, pairwise(ends), strict=True))
         columns = [pattern.row_of[slice(*of_row.get(r, (0, 0)))] for r in range(len(rows))]
         return Factor(rows, columns, products, pattern.targets, bounded)
 
-    def _products(self, rows: list[Row], r: int, s: int) -> list[Product]:
+    def _products(self, rows: list[Row], r: int, s: int, stay: set[int]) -> list[Product]:
+        if rows[r].joint < 0 or rows[s].joint < 0:
+            return _of_body(rows, r, s)
         return [
             Product(s, b, r, a, body)
             for a, body in enumerate(rows[r].bodies)
             for b, other in enumerate(rows[s].bodies)
-            if body == other and body >= 0 and self.movable[body]
+            if body == other and body >= 0 and self.movable[body] and body not in stay
         ]
 
     def _tables(self) -> NaiveWork:

@@ -34,7 +34,8 @@ def augment(sides: Integers, weights: Integers, updates: int) -> tuple[Eliminati
     stay = movable & np.isin(sides, bodies)
     alone = (stay | ~movable).all(axis=1)  # joints of such bodies and the world
     early, late = np.flatnonzero(~alone), np.flatnonzero(alone)
-    if not len(bodies) or not len(early):
+    last = ROWS_OF_BODY * len(bodies) + int(weights[late].sum())  # rows that are all linked to each other
+    if not len(bodies) or not len(early) or last**3 // 6 > budget_of(weights, updates):
         return None
     found = minimum_degree(np.where(stay, NOBODY, sides)[early], weights[early], updates)
     if found is None:
