@@ -9,12 +9,12 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 import sandbox
-from sandbox import Delete, SetPose, SetSurface, SetVelocity, Spawn
+from sandbox import Delete, SetGravity, SetPose, SetSettings, SetSurface, SetVelocity, Spawn
 from sandbox.engine.world import World
 from tests.examples import examples
 
 GROUND: dict[str, Any] = {"id": "ground", "type": "static", "shapes": [{"box": [60, 1]}], "position": [0, -0.5]}
-CHANGES = ("delete", "steps", "pose", "velocity", "surface")
+CHANGES = ("delete", "steps", "pose", "velocity", "surface", "gravity", "settings")
 KINDS = ("ball", "pair", "sleeper", "tile", "goal", "platform")
 
 
@@ -68,6 +68,10 @@ def changed(world: World, what: str, number: int) -> None:
         world.apply(SetVelocity(name, (float(number % 5) - 2.0, 0.0), 0.0))
     elif what == "surface":
         world.apply(SetSurface(name, restitution=0.1 * (number % 9), surface_speed=float(number % 2)))
+    elif what == "gravity":
+        world.apply(SetGravity((0.1 * (number % 3), -9.81)))
+    elif what == "settings":
+        world.apply(SetSettings(substeps=3 + number % 3))
     elif what == "delete" and name != "ground":
         world.apply(Delete(name))
 
@@ -104,6 +108,9 @@ def test_nobody_is_looked_at_who_stays():
         if number % 2:
             world.step(3)
     world.apply(SetPose("tile-3", (-20.0, 5.0), 0.1))
+    world.apply(SetGravity((0.0, -5.0)))
+    world.step(3)
+    world.apply(SetSettings(substeps=5))
     world.step(3)
     assert len(world.names) - world.names.index("ball-5") < len(world.scratch.active.touched)
     for name in ("ball-5", "tile-210", "tile-3"):

@@ -24,10 +24,26 @@ def touch(active: ActiveSet, rows: Sequence[int]) -> None:
     """Bodies that may move were changed, and bodies in those rows have woken or were changed: these are to be looked
     at."""
     plain(active.info)["shifted"] = 1
-    if rows:
+    if len(rows) == 1:
+        _touch_one(active, rows[0])
+    elif rows:
         touched = active.touched
-        together = np.union1d(touched[1 : 1 + touched[0]], rows)
-        _touch_only(active, together)
+        _touch_only(active, np.union1d(touched[1 : 1 + touched[0]], rows))
+
+
+def _touch_one(active: ActiveSet, row: int) -> None:
+    """One more row among the touched ones, in its place: a command each for thousands of bodies takes no time for what
+    was touched before."""
+    touched = active.touched
+    count = int(touched[0])
+    place = 1 + int(touched[1 : 1 + count].searchsorted(row))
+    if place <= count and touched[place] == row:
+        return
+    if count + 1 < len(touched):
+        touched[place + 1 : count + 2] = touched[place : count + 1]
+        touched[place], touched[0] = row, count + 1
+    else:
+        forget(active)
 
 
 def _touch_only(active: ActiveSet, rows: Integers) -> None:

@@ -18,5 +18,4 @@ class SetGravity(Command):
         """Write the gravity and wake all sleepers."""
         setting = target.state.settings[0]
         setting.gravity_x, setting.gravity_y = self.gravity
-        wake_all(target.state)
-        return Touched(everybody=True)
+        return Touched(bodies=wake_all(target.state))

@@ -75,7 +75,7 @@ class SetRegion(Command):
             state.edges[row.first_edge + row.edge_count - 1].offset = given["surface"]
         switch(row, self.enabled, state)
         woken = wake_bodies(state, np.concatenate([inside, sleepers_in(state, row)]))
-        return Touched(schedules=True, regions=state.edges is not edges, bodies=woken)
+        return Touched(schedules=self.enabled is not None, regions=state.edges is not edges, bodies=woken)
 
 
 def _checked(row: Any, given: Mapping[str, Any], command: SetRegion) -> FlatRegion:

@@ -49,8 +49,7 @@ class SetSettings(Command):
             setting[name] = value
         if setting.substeps != before:
             _share_impulses(target.state, before / int(setting.substeps))
-        wake_all(target.state)
-        return Touched(everybody=True)
+        return Touched(bodies=wake_all(target.state))
 
 
 def _check(command: SetSettings, given: dict[str, Any]) -> None:

@@ -6,18 +6,22 @@ from typing import Any
 
 import numpy as np
 
-from sandbox.tables import Integers
-from sandbox.world.records import DYNAMIC
+from sandbox.engine.active.wake import sleepers
+from sandbox.tables import Integers, plain
 from sandbox.world.state import State
 
 
 def sleepers_in(state: State, region: Any) -> Integers:
     """Rows of the sleeping bodies that may reach into a region."""
-    bodies: Any = state.bodies
-    found = (bodies.type == DYNAMIC) & (bodies.awake == 0)
+    rows = sleepers(state)
+    if len(rows) == 0:
+        return rows
+    bodies = plain(state.bodies)
+    center_x, center_y, extent = (bodies[name][rows] for name in ("center_x", "center_y", "extent"))
+    found = np.ones(len(rows), np.bool_)
     for edge in state.edges[region.first_edge : region.first_edge + region.edge_count]:
-        found &= edge.normal_x * bodies.center_x + edge.normal_y * bodies.center_y - edge.offset <= bodies.extent
+        found &= edge.normal_x * center_x + edge.normal_y * center_y - edge.offset <= extent
     if region.disc_radius > 0.0:
-        x, y = bodies.center_x - region.disc_x, bodies.center_y - region.disc_y
-        found &= np.sqrt(x * x + y * y) <= region.disc_radius + bodies.extent
-    return np.flatnonzero(found)
+        x, y = center_x - region.disc_x, center_y - region.disc_y
+        found &= np.sqrt(x * x + y * y) <= region.disc_radius + extent
+    return rows[found]
