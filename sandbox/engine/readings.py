@@ -134,6 +134,7 @@ class Readings:
     def scratch(self) -> Scratch:
         """What the last step left in its memory (boxes, proposed pairs), for tools that look into it; read only."""
         self._deferred.apply()
+        self._stepper.settle_joints()
         return self._stepper.scratch
 
     @property

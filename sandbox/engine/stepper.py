@@ -11,13 +11,10 @@ from sandbox._jit import jit_enabled
 from sandbox.engine.active.changes import forget, keep_what_stays, touch
 from sandbox.engine.compile_step import compile_step, wait_for_others
 from sandbox.engine.continuous_collision.solve_continuous import solve_continuous
-from sandbox.engine.joints.assembly import assemble, assemble_more
-from sandbox.engine.joints.fewer_parts import going_parts, without_parts
-from sandbox.engine.joints.pair_filter import JointFilter
 from sandbox.engine.joints.part_layout import PartLayouts
-from sandbox.engine.joints.records import JointWork
 from sandbox.engine.joints.wiring import wiring
 from sandbox.engine.memory.bundles import Room
+from sandbox.engine.memory.joint_keeper import JointKeeper
 from sandbox.engine.memory.limit import room_for
 from sandbox.engine.memory.scratch import Scratch
 from sandbox.engine.narrow_phase.kept_runs import keep_runs
@@ -60,6 +57,7 @@ class Stepper:
     whoever switches a joint `assemble_joints`."""
 
     scratch: Scratch
+    """What it has of joints may be due: `settle_joints`."""
     counters: memoryview
     """The row of counters as whole numbers, by the places in `CounterPlace`, which is five times faster to ask."""
 
@@ -71,7 +69,7 @@ class Stepper:
         self._room = Room.of(state)
         self._compiled: set[frozenset[int]] = set()
         """What steps have needed until now."""
-        self._layouts = PartLayouts(self.workers, float(state.settings[0].units_per_meter))
+        self._joints = JointKeeper(PartLayouts(self.workers, float(state.settings[0].units_per_meter)))
         self.calls = calls or StepCalls(self.workers)
         self._order = self.calls.order.data  # which is asked five times faster
         self.renew()
@@ -144,7 +142,7 @@ class Stepper:
     def renew(self) -> None:
         """Take new scratch memory, for as many pairs as the state has rows for contacts."""
         self.scratch = Scratch.for_state(
-            self._state, len(self._state.contacts), self._layouts, self._room, self.workers
+            self._state, len(self._state.contacts), self._joints.layouts, self._room, self.workers
         )
         self._room = self.scratch.room
         self._order[TURN] = 0
@@ -158,9 +156,7 @@ class Stepper:
             self._room = scratch.room
             scratch.make_room_for_joints()
         if len(state.joints) > added.joints:
-            known = scratch.joint_filter, scratch.joints
-            more = assemble_more(state.joints, state.bodies, self._layouts, known, added.joints)
-            scratch.joint_filter, scratch.joints = more or self._assembled()
+            self._joints.add(state, scratch, added.joints)
         if grown:
             self._prepare_calls()
         else:
@@ -172,18 +168,8 @@ class Stepper:
         keep_what_stays(self.scratch.active, self.scratch.grid, moved)
         keep_runs(self.scratch.active, self.scratch.contacts, moved)
         close_up(plain(self.scratch.contacts.reports)[: len(moved.contacts)], moved.contacts)
-        scratch, joints = self.scratch, self.scratch.joints
-        if joints is None and len(moved.joints) == 0:
-            self._exchanged |= _ROWS
-            return
-        going = None if joints is None else going_parts(joints, moved.joints)
-        if joints is None or going is None or going.all():
-            self.assemble_joints()
-            return
-        scratch.joint_filter, scratch.joints = without_parts(
-            scratch.joint_filter, joints, self._layouts, going, moved, self._state.joints
-        )
-        self._exchanged |= _ROWS | _JOINTS
+        of_joints = self._joints.move(self._state, self.scratch, moved)
+        self._exchanged |= _ROWS | (_JOINTS if of_joints else 0)
 
     def follow_regions(self) -> None:
         """Regions have gone, or have other sides."""
@@ -199,9 +185,13 @@ class Stepper:
         touch(self.scratch.active, rows)
 
     def assemble_joints(self) -> None:
-        """Find out anew what hangs together by joints, after one of them broke or was switched."""
-        self.scratch.joint_filter, self.scratch.joints = self._assembled()
+        """Find out anew what hangs together by joints, before somebody asks: one of them broke or was switched."""
+        self._joints.forget()
         self._exchanged |= _ROWS | _JOINTS
+
+    def settle_joints(self) -> None:
+        """Find out what hangs together by joints, where that was put off."""
+        self._joints.settle(self._state, self.scratch)
 
     def wiring(self) -> bytes:
         """What decides how joints hang together now."""
@@ -277,6 +267,7 @@ class Stepper:
     def _prepare_calls(self) -> None:
         """Other tables for the calls of a step."""
         state, scratch = self._state, self.scratch
+        self.settle_joints()
         self._crowded = len(state.shapes) > _FEW
         self._exchanged = 0
         self.counters = plain(state.counters).view(np.int64).data
@@ -287,14 +278,10 @@ class Stepper:
         self._contacts = (here, there) if self.turn == 0 else (there, here)
         self.calls.fill(state, scratch, self._contacts)
 
-    def _assembled(self) -> tuple[JointFilter, JointWork | None]:
-        """What hangs together by joints now."""
-        state, room = self._state, self.scratch.room.bodies
-        return assemble(state.joints, state.bodies, self._layouts, room)
-
     def _exchange(self) -> None:
         """Other rows of the state for the calls of a step, and what is known of its joints if those are others."""
         state, joints = self._state, bool(self._exchanged & _JOINTS)
+        self.settle_joints()
         if not self.calls.fits(state, self.scratch):
             self._prepare_calls()
             return

@@ -153,7 +153,7 @@ class World(Readings, Shown, FixedAttributes):
             return
         self._deferred.apply()
         if command.outdates_events:
-            self._events.work_out(self.scratch)
+            self._events.work_out(self._stepper.scratch)
         self._note(command.apply(self))
 
     @property
@@ -274,7 +274,7 @@ class World(Readings, Shown, FixedAttributes):
         """Do what was deferred."""
         going, coming = self._deferred.take()
         if going:
-            self._events.note_going(self.scratch, going)
+            self._events.note_going(self._stepper.scratch, going)
             self._note(take_out(self, bodies=[row for rows in going for row in rows]))
         if coming:
             self._note(Touched(added=add_rows(self.state, self._directory, Spawned.joined(coming))))

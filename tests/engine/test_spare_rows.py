@@ -98,6 +98,7 @@ def test_nobody_is_asked_again_for_one_that_comes(monkeypatch: pytest.MonkeyPatc
     held = (id(census.bodies.items), id(census.bodies.names), dict(calls))
     for name in ("renew", "assemble_joints", "_prepare_calls"):
         monkeypatch.setattr(world._stepper, name, lambda *_: pytest.fail("made anew"))
+    monkeypatch.setattr("sandbox.engine.memory.joint_keeper.assemble", lambda *_: pytest.fail("made anew"))
     monkeypatch.setattr("sandbox.engine.events.event_log.find_events", lambda *_: pytest.fail("worked out"))
     monkeypatch.setattr("sandbox.world.patterns.build_patterns", lambda *_: pytest.fail("built again"))
     monkeypatch.setattr("sandbox.world.tiling.find_tiles", lambda *_: pytest.fail("looked for"))

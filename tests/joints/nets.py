@@ -84,4 +84,4 @@ def kinetic_energy(world: World) -> float:
 
 def soft_parts(world: World) -> int:
     """How many parts of a world have soft joints, as they are too dense to be factorised."""
-    return int((world._stepper.scratch.joints.parts.direct == 0).sum())
+    return int((world.scratch.joints.parts.direct == 0).sum())

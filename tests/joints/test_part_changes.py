@@ -89,7 +89,7 @@ def check(world: sandbox.World) -> None:
     assert (scratch.joints is None) == (work is None)
     if work is not None and scratch.joints is not None:
         same_work(scratch.joints, work)
-        layouts = world._stepper._layouts
+        layouts = world._stepper._joints.layouts
         assert len(layouts.parts) == len(work.parts)
         assert sorted(layouts.known) == sorted(dict.fromkeys(layouts.parts))
 
@@ -147,9 +147,9 @@ comings = st.tuples(
 goings = st.tuples(st.sampled_from(["delete", "part", "break", "step", "tie"]), st.integers(0, 10**6))
 
 
-@given(st.lists(st.one_of(comings, goings), min_size=1, max_size=12))
-@examples(40)
-def test_tables_are_those_of_an_assembly_from_nothing(changes: list[Any]) -> None:
+@given(st.lists(st.one_of(comings, goings), min_size=1, max_size=12), st.booleans())
+@examples(80)
+def test_tables_are_those_of_an_assembly_from_nothing(changes: list[Any], at_once: bool) -> None:
     world = sandbox.World(sandbox.Scene(bodies=POSTS))
     for turn, (what, *how) in enumerate(changes):
         if what == "spawn":
@@ -158,7 +158,9 @@ def test_tables_are_those_of_an_assembly_from_nothing(changes: list[Any]) -> Non
             world.spawn(*KINDS[kind](f"{kind}-{turn}", 60.0 * turn, size, held))
         else:
             change(world, what, how[0], turn)
-        check(world)
+        if not at_once:
+            check(world)
+    check(world)
 
 
 def change(world: sandbox.World, what: str, number: int, turn: int) -> None:
@@ -183,12 +185,31 @@ def change(world: sandbox.World, what: str, number: int, turn: int) -> None:
             world.spawn(joints={"id": f"tie-{turn}", "type": "weld", "bodies": both, "anchor": [0, 0]})
 
 
+def test_all_that_is_done_before_a_step_is_assembled_once(monkeypatch: pytest.MonkeyPatch) -> None:
+    world = sandbox.World(sandbox.Scene(bodies=POSTS))
+    for number in range(4):
+        world.spawn(*chain(f"rope{number}", 20.0 * number, 3, None))
+    calls: list[int] = []
+    monkeypatch.setattr(
+        "sandbox.engine.memory.joint_keeper.assemble", lambda *given: calls.append(1) or assemble(*given)
+    )
+    for name in world.joint_names:
+        world.joint(name).enabled = False
+    world.joint(world.joint_names[0]).delete()
+    world.joint(world.joint_names[1]).enabled = True
+    world.spawn(joints={"id": "tie", "type": "weld", "bodies": ["rope0-0", "rope2-0"], "anchor": [0, 0]})
+    assert not calls
+    world.step()
+    check(world)
+    assert len(calls) == 1
+
+
 @pytest.mark.parametrize("kind", sorted(KINDS.keys() - {"loose"}))
 def test_what_comes_by_itself_leaves_the_others_alone(kind: str, monkeypatch: pytest.MonkeyPatch) -> None:
     world = sandbox.World(sandbox.Scene(bodies=POSTS))
     world.spawn(*chain("first", 0.0, 3, None))
     again: list[int] = []
-    monkeypatch.setattr("sandbox.engine.stepper.assemble", lambda *_: again.append(1))
+    monkeypatch.setattr("sandbox.engine.memory.joint_keeper.assemble", lambda *_: again.append(1))
     world.spawn(*KINDS[kind]("second", 100.0, 2, None))
     world.spawn(ball("alone", 200.0, 0.0))
     world.delete("alone")
