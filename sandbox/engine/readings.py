@@ -31,14 +31,21 @@ class Readings:
     state: State
     _deferred: Deferred
     _changes: int
+    _moves: int
     _directory: Directory
     _events: EventLog
     _stepper: Stepper
 
     @property
     def changes(self) -> int:
-        """Counts steps, commands and restores: while it stays the same, nothing has moved."""
+        """Counts steps, commands and restores: while it stays the same, nothing is another than it was."""
         return self._changes
+
+    @property
+    def moves(self) -> int:
+        """The same without the commands that only push what is awake: while it stays the same, all is where it was."""
+        self._deferred.apply()
+        return self._moves
 
     @property
     def directory(self) -> Directory:
@@ -106,8 +113,10 @@ class Readings:
         rows = self._events.sensed
         if rows is None:
             return ()
-        pairs = sorted(set(zip(rows.sensor_body.tolist(), rows.body.tolist(), strict=True)))
-        return tuple((self.names[a], self.names[b]) for a, b in pairs)
+        names = self.names
+        pairs = np.unique(rows.sensor_body.astype(np.int64) * len(names) + rows.body)
+        of, inside = np.divmod(pairs, len(names))
+        return tuple((names[a], names[b]) for a, b in zip(of.tolist(), inside.tolist(), strict=True))
 
     @property
     def controls(self) -> tuple[ControlState, ...]:

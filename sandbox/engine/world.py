@@ -8,6 +8,7 @@ from sandbox._collecting import collection_postponed
 from sandbox.arguments import MOST_WORKERS, check_kind, checked_count, shown
 from sandbox.attributes import FixedAttributes, attributes_besides
 from sandbox.engine.commands.base import Command, Touched, Vec
+from sandbox.engine.commands.body_command import GOES_ON
 from sandbox.engine.commands.deferred import Deferred
 from sandbox.engine.commands.delete import Delete, take_out
 from sandbox.engine.commands.set_gravity import SetGravity
@@ -19,6 +20,7 @@ from sandbox.engine.stepper import Stepper
 from sandbox.engine.views.bodies import Bodies
 from sandbox.engine.views.body import BodyView
 from sandbox.engine.views.joint import JointView
+from sandbox.engine.views.views import Views
 from sandbox.errors import ArgumentError, CapacityError, CommandError, SnapshotError
 from sandbox.notebook import Shown
 from sandbox.scene.flat import FlatScene
@@ -64,10 +66,12 @@ class World(Readings, Shown, FixedAttributes):
         "_events",
         "_game",
         "_last_switch",
+        "_moves",
         "_paths",
         "_queries",
         "_spawning",
         "_stepper",
+        "_views",
         "bodies",
         "scene",
         "state",
@@ -80,7 +84,7 @@ class World(Readings, Shown, FixedAttributes):
             raise ArgumentError(f"World: takes a Scene, not {shown(scene)}; load_scene reads one from a file")
         self.scene = scene
         self.state = build_state(flat)
-        self._changes = 0
+        self._changes = self._moves = 0
         self._spawning: Spawning | None = None
         self._queries: Queries | None = None
         self._events = EventLog(self.state)
@@ -90,6 +94,7 @@ class World(Readings, Shown, FixedAttributes):
         self._know_rows()
         self._know_play()
         self.bodies = Bodies(self)
+        self._views = Views(self)
 
     @property
     def workers(self) -> int:
@@ -106,6 +111,7 @@ class World(Readings, Shown, FixedAttributes):
         n = checked_count("World.step", n)
         self._stepper.compile()
         object.__setattr__(self, "_changes", self._changes + 1)  # ours looks up what may be set: 1 us
+        object.__setattr__(self, "_moves", self._moves + 1)
         if self._game is None and self._paths is None:
             self._advance(n)
             return
@@ -190,16 +196,16 @@ class World(Readings, Shown, FixedAttributes):
 
     def body(self, name: str) -> BodyView:
         """The body of that id. Raises `UnknownBodyError` with the nearest name."""
-        return BodyView(self, self.directory.body(name))
+        return self._views.body(name)
 
     def joint(self, name: str) -> JointView:
         """The joint of that id. Raises `UnknownJointError` with the nearest name."""
-        return JointView(self, self.directory.joint(name))
+        return self._views.joint(name)
 
     @property
     def joints(self) -> tuple[JointView, ...]:
         """All joints, also those without an id, in the order of the scene, then those that were spawned."""
-        return tuple(JointView(self, row) for row in range(len(self.state.joints)))
+        return self._views.joints
 
     @property
     def query(self) -> Queries:
@@ -222,12 +228,14 @@ class World(Readings, Shown, FixedAttributes):
             check_kind("World.restore", "as untold what World.untold gave", untold, Untold)
         self._deferred.apply()
         self._changes += 1
+        self._moves += 1
         layout, wiring = self.layout, self._stepper.wiring()
         restore(self.state, bytes(data), self._read_roster)
         if self.layout != layout:
             self._know_rows()
         self._last_switch = last_switch(self.state)
         self._know_play()
+        self._views.forget()
         self._stepper.follow_restore(wiring if self.layout == layout else None)
         plain(self.scratch.contacts.reports)["total_impulse"] = 0.0
         self._events.clear(rows_moved=self.layout != layout)
@@ -281,6 +289,8 @@ class World(Readings, Shown, FixedAttributes):
 
     def _note(self, touched: Touched) -> None:
         """Bring up to date what is worked out from the records."""
+        if touched is not GOES_ON:
+            object.__setattr__(self, "_moves", self._moves + 1)
         if touched.added is not None:
             self._stepper.add_rows(touched.added)
             self._events.note_added(touched.added)
@@ -291,6 +301,7 @@ class World(Readings, Shown, FixedAttributes):
         if touched.rows is not None:
             self._stepper.move_rows(touched.rows)
             self._events.note_moved(touched.rows)
+            self._views.forget()
             self._last_switch = last_switch(self.state)
         if touched.displaced is not None:
             self._events.note_displaced(*touched.displaced)

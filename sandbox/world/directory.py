@@ -54,11 +54,19 @@ class Directory:
 
     def body(self, name: str) -> int:
         """The row of a body. Raises `UnknownBodyError` with the nearest name."""
-        return _row(self._state.census.bodies, _looked_up("body", name, self._bodies, UnknownBodyError))
+        return _row(self._state.census.bodies, self.body_serial(name))
 
     def joint(self, name: str) -> int:
         """The row of a joint. Raises `UnknownJointError` with the nearest name."""
-        return _row(self._state.census.joints, _looked_up("joint", name, self._joints, UnknownJointError))
+        return _row(self._state.census.joints, self.joint_serial(name))
+
+    def body_serial(self, name: str) -> int:
+        """The serial number of a body. Raises as `body`."""
+        return _looked_up("body", name, self._bodies, UnknownBodyError)
+
+    def joint_serial(self, name: str) -> int:
+        """The serial number of a joint. Raises as `joint`."""
+        return _looked_up("joint", name, self._joints, UnknownJointError)
 
     def region(self, name: str) -> int:
         """The row of a region: by its id, or as #2 if it is the second of the scene and has none.
@@ -89,7 +97,7 @@ class Directory:
 
     def standing(self, name: str) -> int:
         """The row of a body in the tables as they are, though others are still to go. Raises as `body`."""
-        return _row(self._census.bodies, _looked_up("body", name, self._bodies, UnknownBodyError))
+        return _row(self._census.bodies, self.body_serial(name))
 
     def announce(self, names: Sequence[str], after: int) -> None:
         """Bodies of those names will come, after so many others that will: their ids are taken."""
@@ -136,9 +144,10 @@ def _row(ledger: Ledger[Any], serial: int) -> int:
 
 
 def _looked_up(what: str, name: str, known: dict[str, int], error: type[SandboxError]) -> int:
+    found = known.get(name) if isinstance(name, str) else None
+    if found is not None:
+        return found
     if not isinstance(name, str):
         raise error(f"an id is a text, not {shown(name)}")
-    if name not in known:
-        near = nearest(name, known)
-        raise error(f"no {what} {shown(name)} in this world" + (f"; did you mean {near!r}?" if near else ""))
-    return known[name]
+    near = nearest(name, known)
+    raise error(f"no {what} {shown(name)} in this world" + (f"; did you mean {near!r}?" if near else ""))

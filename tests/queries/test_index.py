@@ -10,9 +10,22 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from sandbox import Box, Circle, Delete, Explode, Filter, SetGravity, SetPose, SetSurface, SetVelocity, Spawn
+from sandbox import (
+    ApplyImpulse,
+    Box,
+    Circle,
+    Delete,
+    Explode,
+    Filter,
+    SetGravity,
+    SetPose,
+    SetSurface,
+    SetVelocity,
+    Spawn,
+)
 from sandbox.engine.events.sensors import SensorOverlaps
 from sandbox.engine.queries.queries import Queries
+from sandbox.engine.queries.spatial_index import SpatialIndex
 from sandbox.engine.world import World
 from sandbox.errors import SandboxError
 from sandbox.scene.flat import FlatScene, FlatSettings
@@ -204,6 +217,25 @@ def known(world: World) -> Any:
 def tile(name: str, x: float) -> dict[str, Any]:
     """A static disc to spawn."""
     return {"id": name, "type": "static", "position": [x, 0.0], "shapes": [{"circle": 1.0}]}
+
+
+def test_what_only_pushes_has_nothing_laid_out(monkeypatch):
+    world = World(town())
+    world.step(3)
+    known(world)
+    asked, update = [], SpatialIndex.update
+    monkeypatch.setattr(SpatialIndex, "update", lambda index: asked.append(index) or update(index))
+    moved = (
+        ApplyImpulse("ball", (1.0, 0.0)), SetVelocity("ball", (1.0, 0.0), 0.0), SetPose("ball", (3.0, 9.0), 0.0),
+        Delete("ball"),
+    )  # fmt: skip
+    for command, laid_out in zip(moved, (0, 0, 1, 2), strict=True):
+        world.apply(command)
+        known(world)
+        assert len(asked) == laid_out
+    world.step()
+    known(world)
+    assert asked.count(world.query._index) == 3  # sensors have one of their own
 
 
 def test_a_question_lays_out_what_moves_and_no_more():

@@ -58,8 +58,9 @@ def checked(command: T, unlimited: Collection[str] = ()) -> T:
     that is `unlimited`, and within the limit of its field.
     """
     kind: Any = type(command)
-    if _is_plain(command, kind):
-        return command
+    hurried = _made_plain(command, kind)
+    if hurried is not None:
+        return replace(command, **hurried) if hurried else command  # type: ignore[type-var]
     plain: dict[str, Any] = {}
     for name, types in _types(kind).items():
         value = getattr(command, name)
@@ -79,19 +80,24 @@ def checked(command: T, unlimited: Collection[str] = ()) -> T:
     return changed  # type: ignore[no-any-return]
 
 
-def _is_plain(command: Any, kind: Any) -> bool:
-    """Whether a command has nothing but floats, pairs of them, and None, of sizes that are right: most have, and need
-    no longer look. Others may be right as well."""
+def _made_plain(command: Any, kind: Any) -> dict[str, Any] | None:
+    """The floats of those fields that have whole numbers of Python's, where a command has nothing but those, floats,
+    pairs of both, and None, of sizes that are right: most have, and need no closer look. None: others may be right."""
+    found: dict[str, Any] = {}
     for name, optional, pair, most in _plain_fields(kind):
         value = getattr(command, name)
         if value is None and optional:
             continue
         if pair and (type(value) is not tuple or len(value) != 2):
-            return False
+            return None
         for number in value if pair else (value,):
-            if type(number) is not float or not -most <= number <= most:
-                return False
-    return True
+            if type(number) is not float:
+                if type(number) is not int:
+                    return None
+                found[name] = value
+            if not -most <= number <= most:
+                return None
+    return {name: _floats(value) if type(value) is tuple else float(value) for name, value in found.items()}
 
 
 @cache

@@ -44,8 +44,8 @@ class QueriedWorld(Protocol):
         """From ids to rows."""
 
     @property
-    def changes(self) -> int:
-        """While it stays the same, nothing has moved."""
+    def moves(self) -> int:
+        """While it stays the same, all is where it was."""
 
 
 class Queries(FixedAttributes):
@@ -55,8 +55,8 @@ class Queries(FixedAttributes):
     tell from a touch (a few units in the last place of the lengths involved). Sleeping, static and frozen bodies are
     seen like any others. Lines are met from both sides.
 
-    The first question after a step, a command or a restore puts all shapes that may have moved into a grid; those that
-    follow use it.
+    The first question after a step, a restore, or a command that does more than push what is awake puts all shapes
+    that may have moved into a grid; those that follow use it.
     """
 
     __slots__ = ("_asked", "_hidden", "_index", "_laid_out", "_many", "_one", "_rays", "_world")
@@ -209,17 +209,20 @@ class Queries(FixedAttributes):
 
     def _ask(self, subject: Subject, seen: Filter | None) -> None:
         """Bring the grid up to date and write down what is asked, if it is not what was asked last."""
-        if self._laid_out != self._world.changes:
+        moves = self._world.moves
+        if self._laid_out != moves:
             if self._index.update():
                 self._asked = None
-            self._laid_out = self._world.changes
+            self._laid_out = moves
         seen = _EVERYTHING if seen is None else seen
-        if self._asked is not None and self._asked[0] is subject and self._asked[1] is seen:
+        asked, known = self._asked or (None, None)
+        if asked is subject and known is seen:
             return
-        check_filter(seen)
-        if self._asked is None or self._asked[0] is not subject:
+        if known is not seen and seen is not _EVERYTHING:
+            check_filter(seen)
+        if asked is None or asked[1:] != subject[1:]:  # of discs that are alike only the place is another
             write_subject(self._index.memory, subject)
-        if self._asked is None or self._asked[1] != seen:
+        if known is None or known != seen:
             self._asked = None
             self._hidden = write_filter(self._index.memory, seen, self._world.directory.body, self._hidden)
         self._asked = (subject, seen)
