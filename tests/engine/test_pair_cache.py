@@ -166,6 +166,17 @@ def test_what_goes_leaves_nothing_in_the_grid(name: str) -> None:
     check(world, 60)
 
 
+def test_nobody_meets_where_all_go_that_memory_was_just_taken_for() -> None:
+    boxes = [{"id": f"{k}", "shapes": [{"box": [1, 1]}], "position": [0, 0.99 * k]} for k in range(2)]
+    world = World(sandbox.Scene(bodies=boxes))
+    world.step()
+    assert len(world.contacts) == 1
+    world.spawn({"id": "more", "type": "static", "shapes": [{"circle": 1}], "position": [9, 0]})
+    world.delete(["0", "1", "more"])
+    world.step()
+    assert len(world.contacts) == 0
+
+
 CHAIN = [f"new{k}" for k in range(3)]
 CHANGES: list[Any] = [
     SetJoint("hinge1", enabled=False),

@@ -149,5 +149,6 @@ class Scratch:
         self.blocks = self.blocks._replace(batches=batches)
         self.colliders = collider_memory(room)
         self.grid = grid_memory(room.shapes, 0)._replace(cache=self.grid.cache, pairs=self.grid.pairs)
+        plain(self.grid.cache.info)["valid"] = 0  # its pairs are those of the fat boxes that there were
         self.ccd = ccd_memory(room)
         self.fields = Fields.for_state(state, room.bodies)
