@@ -29,14 +29,15 @@ from sandbox.world.region_rows import add_regions
 from sandbox.world.reseam import add_seams, remove_seams
 from sandbox.world.shape_rows import Rows, first_shape
 from sandbox.world.state import State
-from sandbox.world.tiling import check_room, rejoin, rejoin_around
+from sandbox.world.tiling import Bodies, check_room, rejoin, rejoin_around
 
 Flags = NDArray[np.bool_]
 
 
 @dataclass(frozen=True)
 class Added:
-    """How many bodies, shapes and joints there were before others came; how many thrusters, paths and regions came."""
+    """How many bodies, shapes and joints there were before others came; how many thrusters, paths and regions came.
+    `rejoined` as in `Moved`."""
 
     bodies: int
     shapes: int
@@ -44,13 +45,15 @@ class Added:
     thrusters: int
     paths: int
     regions: int
+    rejoined: Bodies
 
 
 @dataclass(frozen=True)
 class Moved:
     """Where bodies, shapes and joints have gone, and which contacts are left. Of shapes the first is that of the first
     body whose row has changed. `types` are what the bodies from that one on were, `renamed` the old rows of contacts
-    that have gone or name others now."""
+    that have gone or name others now, `rejoined` the static bodies that have come to abut others by that, or no longer
+    do."""
 
     bodies: NewRows
     shapes: NewRows
@@ -58,6 +61,7 @@ class Moved:
     contacts: Flags
     types: Integers
     renamed: Integers
+    rejoined: Bodies
 
 
 def add_rows(state: State, directory: Directory, found: Spawned) -> Added:
@@ -68,8 +72,7 @@ def add_rows(state: State, directory: Directory, found: Spawned) -> Added:
     """
     before = len(state.bodies), len(state.shapes), len(state.joints)
     thrusters, paths = len(state.thrusters), len(state.paths)
-    if found.bodies:
-        _append_bodies(state, found.bodies)
+    rejoined = _append_bodies(state, found.bodies) if found.bodies else ()
     state.census.bodies.add(found.bodies, found.body_words)
     state.census.joints.add(found.joints, found.joint_words)
     state.census.regions.add(found.regions, found.region_words)
@@ -80,10 +83,11 @@ def add_rows(state: State, directory: Directory, found: Spawned) -> Added:
         add_regions(state, found.regions)
     if found.bodies or found.joints:
         state.layout += 1
-    return Added(*before, len(state.thrusters) - thrusters, len(state.paths) - paths, len(found.regions))
+    return Added(*before, len(state.thrusters) - thrusters, len(state.paths) - paths, len(found.regions), rejoined)
 
 
-def _append_bodies(state: State, flat: Sequence[FlatBody]) -> None:
+def _append_bodies(state: State, flat: Sequence[FlatBody]) -> Bodies:
+    """Returns the bodies that they join anew."""
     bodies, shapes, vertices, sides, seams = body_rows(flat, state.patterns)
     if (bodies["type"] == records.STATIC).any():
         check_room(state, *(rows.view(np.recarray) for rows in (bodies, shapes, vertices)))
@@ -106,7 +110,7 @@ def _append_bodies(state: State, flat: Sequence[FlatBody]) -> None:
     state.shapes = extended(state.shapes, shapes)
     state.vertices = extended(state.vertices, vertices)
     state.outlines = extended(state.outlines, sides)
-    rejoin_around(state, tiles)
+    return rejoin_around(state, tiles)
 
 
 def _append_thrusters(state: State, flat: Sequence[FlatBody], bodies: Rows) -> None:
@@ -141,14 +145,14 @@ def remove_rows(state: State, directory: Directory, bodies: Flags, joints: Flags
     if bodies.any():
         beside = _remove_shapes(state, body_rows, shape_rows)
         _remove_bodies(state, body_rows)
-    rejoin(state, beside)
+    rejoined = rejoin(state, beside)
     names = (
         state.census.bodies.remove(np.flatnonzero(bodies).tolist()),
         state.census.joints.remove(np.flatnonzero(joints).tolist()),
     )
     directory.remove(*names)
     state.layout += 1
-    return Moved(body_rows, shape_rows, joint_rows, contacts, types, renamed)
+    return Moved(body_rows, shape_rows, joint_rows, contacts, types, renamed, rejoined)
 
 
 def _remove_bodies(state: State, rows: NewRows) -> None:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import TypeAlias
+
 import numpy as np
 
 from sandbox.tables import Integers, Records, plain
@@ -14,6 +16,8 @@ from sandbox.world.tile_outlines import Outlines
 from sandbox.world.tile_pairs import meeting_tiles
 from sandbox.world.tile_rows import Bounds, Tiling, bounds_of
 
+Bodies: TypeAlias = tuple[int, ...]
+"""Rows of the body table, ascending."""
 _NEAR = 1e-5
 """Farther apart than tiles may be that meet, in metres."""
 
@@ -40,25 +44,32 @@ def neighbours(state: State, tiles: Integers) -> Integers:
     return single
 
 
-def rejoin(state: State, tiles: Integers) -> None:
-    """Find out anew how some tiles with rows in the seam table abut others."""
+def rejoin(state: State, tiles: Integers) -> Bodies:
+    """Find out anew how some tiles with rows in the seam table abut others.
+
+    Returns the bodies of those that abut nothing now and did before, or the other way.
+    """
     if len(tiles) == 0:
-        return
+        return ()
     shapes = plain(state.shapes)
+    before = shapes["traits"][tiles]
     shapes["traits"][tiles] &= ~SEAMED
     plain(state.seams)[runs(shapes["seam_start"][tiles], shapes["vertex_count"][tiles])] = 0
     near = _around(state, tiles)
     if len(near) > 1:
         outlines = Outlines.of(state.bodies, state.shapes, state.vertices, near)
         join_some(state.bodies, state.shapes, state.seams, outlines, np.searchsorted(near, tiles))
+    changed = tiles[shapes["traits"][tiles] != before]
+    return tuple(np.unique(shapes["body"][changed]).tolist())
 
 
-def rejoin_around(state: State, tiles: Integers, left: Integers | None = None) -> None:
-    """Find out anew how `tiles` and all beside them abut others, and those that they have `left`."""
-    if len(tiles):
-        single = tiles[plain(state.shapes)["part"][tiles] == 0]
-        beside = neighbours(state, tiles)
-        rejoin(state, np.unique(np.concatenate([single, beside, beside[:0] if left is None else left])))
+def rejoin_around(state: State, tiles: Integers, left: Integers | None = None) -> Bodies:
+    """Find out anew how `tiles` and all beside them abut others, and those that they have `left`; as `rejoin`."""
+    if len(tiles) == 0:
+        return ()
+    single = tiles[plain(state.shapes)["part"][tiles] == 0]
+    beside = neighbours(state, tiles)
+    return rejoin(state, np.unique(np.concatenate([single, beside, beside[:0] if left is None else left])))
 
 
 def check_room(state: State, bodies: Records, shapes: Records, vertices: Records) -> None:

@@ -128,7 +128,12 @@ class Lives(RuleBasedStateMachine):
 
     @rule(n=st.sampled_from([1, 2, 10, 60]))
     def step(self, n: int) -> None:
+        """As a world steps that was restored: nothing counts but what a snapshot holds."""
+        restored = World(SCENE)
+        restored.restore(self.world.snapshot())
         self.world.step(n)
+        restored.step(n)
+        assert self.world.snapshot() == restored.snapshot()
 
     @rule(name=st.sampled_from(IDS), at=places)
     def push(self, name: str, at: list[int]) -> None:

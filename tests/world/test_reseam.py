@@ -139,3 +139,38 @@ def test_a_tile_that_lies_alone_joins_nobody(monkeypatch: pytest.MonkeyPatch) ->
     assert (world.state.shapes.traits[[3, 4]] & SEAMED).all()
     world.apply(SetPose("t4", (13.0, 0.0), 0.0))
     assert not (world.state.shapes.traits & SEAMED).any()
+
+
+BESIDE = {"id": "e", "type": "static", "shapes": [{"box": [4, 1]}], "position": [4, 0]}
+
+
+@pytest.mark.parametrize(
+    ("far", "command"),
+    [
+        (40.0, SetPose("b", (4.0, 0.0), 0.0)),
+        (4.0, SetPose("b", (40.0, 0.0), 0.0)),
+        (40.0, Spawn(BESIDE)),
+        (4.0, Delete("b")),
+    ],
+)
+def test_who_comes_to_abut_others_collides_as_one_who_does(far: float, command: sandbox.Command) -> None:
+    """Also a tile that nobody has touched: a box stands over its end."""
+    slab = [{"box": [4, 1]}]
+    scene = sandbox.Scene(
+        bodies=[
+            {"id": "a", "type": "static", "shapes": slab},
+            {"id": "box", "shapes": [{"box": [0.5, 0.5]}], "position": [1.9, 0.755], "velocity": [0.5, 0]},
+            {"id": "b", "type": "static", "shapes": slab, "position": [far, 0]},
+        ]
+    )
+    world, restored = World(scene), World(scene)
+    world.spawn([{"id": f"{k}", "shapes": [{"circle": 0.5}], "position": [90 + 2 * k, 0]} for k in range(2)])
+    world.step(3)  # there is room for more rows now
+    world.apply(command)
+    restored.restore(world.snapshot())
+    for _ in range(30):
+        world.step()
+        restored.step()
+        traits = world.scratch.colliders.proxies.traits[: len(world.state.shapes)]
+        assert (traits & SEAMED == world.state.shapes.traits & SEAMED).all()
+        assert world.snapshot() == restored.snapshot()

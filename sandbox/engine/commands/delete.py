@@ -107,8 +107,9 @@ def take_out(target: CommandTarget, bodies: Sequence[int] = (), joints: Sequence
     held = held_bodies(state, np.flatnonzero(parting))
     woken = np.array(wake_bodies(state, np.concatenate([np.flatnonzero(going), held])), np.int64)
     rows = remove_rows(state, target.directory, going, parting)
-    left = woken[woken < rows.bodies.first]  # all behind are looked at
-    return Touched(rows=rows, bodies=tuple(left.tolist()))
+    first = rows.bodies.first  # all behind are looked at
+    rejoined = [row for row in rows.rejoined if row < first]
+    return Touched(rows=rows, bodies=(*woken[woken < first].tolist(), *rejoined))
 
 
 def _tidy(ids: Ids) -> Ids:

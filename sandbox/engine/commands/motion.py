@@ -31,17 +31,20 @@ class SetPose(BodyCommand):
     angle: float
 
     def apply(self, target: CommandTarget) -> Touched:
-        """Move the body, and say where its centre was."""
-        row = target.directory.body(self.body)
-        body, _ = target.state.body_words(row)
-        center = body[At.CENTER_X], body[At.CENTER_Y]
-        return replace(super().apply(target), displaced=(row, center))
-
-    def change(self, state: State, row: int) -> None:
-        """Write the pose; tiles are joined anew where it was and where it is."""
+        """Move the body, and say where its centre was; tiles are joined anew where it was and where it is."""
+        state, row = target.state, target.directory.body(self.body)
         body, flags = state.body_words(row)
+        center = body[At.CENTER_X], body[At.CENTER_Y]
         tiles = tiles_of(state, row) if flags[At.TYPE] == STATIC else NO_TILES
         left = neighbours(state, tiles)
+        touched = super().apply(target)
+        note_moved(state, tiles)
+        rejoined = rejoin_around(state, tiles, left)
+        return replace(touched, displaced=(row, center), bodies=touched.bodies + rejoined)
+
+    def change(self, state: State, row: int) -> None:
+        """Write the pose."""
+        body, flags = state.body_words(row)
         cos, sin = _cos_sin(self.angle)
         x, y = body[At.LOCAL_CENTER_X], body[At.LOCAL_CENTER_Y]
         center_x = self.position[0] + (cos * x - sin * y)
@@ -54,8 +57,6 @@ class SetPose(BodyCommand):
         body[At.ANGLE], body[At.ROTATION_COS], body[At.ROTATION_SIN] = self.angle, cos, sin
         body[At.CENTER_X], body[At.CENTER_Y] = center_x, center_y
         body[At.POSITION_X], body[At.POSITION_Y] = pose.position_x, pose.position_y
-        note_moved(state, tiles)
-        rejoin_around(state, tiles, left)
 
 
 @dataclass(frozen=True)

@@ -82,7 +82,7 @@ class Spawn(Command):
             held = held[held < added.bodies]  # the others are awake
             if len(held):
                 woken += wake_bodies(state, held)
-        return Touched(added=added, bodies=woken)
+        return Touched(added=added, bodies=woken + added.rejoined)
 
 
 def _listed(part: Any) -> Any:
