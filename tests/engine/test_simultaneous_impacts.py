@@ -11,6 +11,14 @@ import pytest
 from hypothesis import assume, given
 from hypothesis import strategies as st
 
+from sandbox import SetVelocity
+from sandbox._jit import interpreted
+from sandbox.engine.records.state import StateTables
+from sandbox.engine.restitution.groups import ALONE, STRIKES
+from sandbox.engine.restitution.impact_list import listed_impacts
+from sandbox.engine.restitution.in_turn import _select_closing
+from sandbox.engine.restitution.rattling import FEWEST_STRIKES
+from sandbox.engine.restitution.worklist import list_all
 from tests.engine.test_impacts import check_momentum_and_energy, highest_closing_speed, struck
 from tests.examples import examples
 from tests.flat import body, box, circle, segment, world
@@ -236,3 +244,26 @@ def test_a_long_cradle_passes_many_on():
         w = world(*balls, gravity=(0.0, 0.0))
         w.step(4)
         assert [w.body(f"{k}").velocity[0] for k in range(31)] == pytest.approx(speed[::-1], abs=1e-9)
+
+
+def test_what_rattles_knows_what_it_had_before_the_impacts():
+    """Also a contact that found no more to do at each of its turns: what it had in another step means nothing."""
+    p = world(
+        body("ground", box(9.0, 2.0), type="static"), body("ball", circle(0.5, restitution=1.0), position=(0, 1.6))
+    )
+    p.apply(SetVelocity("ball", (0.0, -10.0), 0.0))
+    p.step()
+    tables = StateTables(*[getattr(p.state, name) for name in StateTables._fields])
+    solver, impacts = p.scratch.solver, interpreted(listed_impacts)(tables, p.scratch.blocks, 0)
+    assert impacts.length == 1
+    listed = interpreted(list_all)(impacts.slots, 1)
+    solver.free_motions[1].start_y = solver.free_motions[1].free_y = -3.0
+    solver.motions[1].delta_y = solver.struck[1] = 0
+    solver.impact_bodies[1].start_y = 7.0
+    p.state.contacts[0].separation1 = 0.0
+    impacts.rows[0].group, impacts.slots[0].strikes = ALONE, FEWEST_STRIKES
+    arguments = p.state.bodies, solver, p.state.contacts, impacts, listed, 0.01, True
+    closing, _ = interpreted(_select_closing)(*arguments)
+    assert closing.first == 0
+    assert impacts.rows[0].group == STRIKES
+    assert solver.impact_bodies[1].start_y == -3.0

@@ -12,7 +12,7 @@ from sandbox._jit import kernel
 from sandbox.engine.contact_solver.nesterov import passes_within
 from sandbox.engine.records.bodies import SolverBodies
 from sandbox.engine.restitution.earliest import LATER, note_closing, relation_to_others
-from sandbox.engine.restitution.groups import ALONE, NOT_STRUCK, RATTLES, SPENT
+from sandbox.engine.restitution.groups import ALONE, NOT_STRUCK, RATTLES, SPENT, note_first_strike
 from sandbox.engine.restitution.impact_list import ImpactList
 from sandbox.engine.restitution.rattling import FEWEST_STRIKES, is_marked, rattles
 from sandbox.engine.restitution.rebound_speed import closes, rebound_speed
@@ -98,9 +98,11 @@ def _select_closing(
         row = impacts.rows[k]
         if not closes(rebound) or row.passes >= SPENT:
             continue
-        if slot.strikes >= FEWEST_STRIKES and rattles(bodies, solver, impacts, k, contact.restitution):
-            ended = False
-            continue
+        if slot.strikes >= FEWEST_STRIKES:
+            note_first_strike(bodies, solver, contact, row)  # it may have found no more to do at each of its turns
+            if rattles(bodies, solver, impacts, k, contact.restitution):
+                ended = False
+                continue
         row.moment = rebound.moment
         row.rebound1 = rebound.first
         row.rebound2 = rebound.second
