@@ -8,7 +8,7 @@ from dataclasses import replace
 import pytest
 
 import sandbox
-from sandbox import SetRegion, SetThruster
+from sandbox import DeleteRegion, SetGravity, SetRegion, SetThruster, SetVelocity
 from sandbox.engine.world import World
 from sandbox.errors import CommandError, SceneError, UnknownBodyError, UnknownRegionError
 from sandbox.world.export.scene_now import scene_of
@@ -44,6 +44,22 @@ def test_water_rises_and_wakes_what_floats():
     w.apply(SetRegion("pool", water=2.0))
     w.step(900)
     assert w.body("cork").position[1] == pytest.approx(1.25, abs=0.02)
+
+
+def test_nobody_floats_where_the_last_region_has_gone():
+    """What floats at rest may sleep, what is only slow may not."""
+    w = world(CORK, regions=[POOL])
+    while not w.scratch.solver.free_motions.buoyed[0]:
+        w.step()
+    assert w.awake_count == 1
+    for command in (DeleteRegion("pool"), SetGravity((0.0, 0.0)), SetVelocity("cork", (0.01, 0.0), 0.0)):
+        w.apply(command)
+    restored = World(w.scene)
+    restored.restore(w.snapshot())
+    w.step(60)
+    restored.step(60)
+    assert w.awake_count == 1
+    assert w.snapshot() == restored.snapshot()
 
 
 def test_off_and_on_again():

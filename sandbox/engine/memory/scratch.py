@@ -116,6 +116,8 @@ class Scratch:
 
     def follow_fields(self, state: State) -> None:
         """Bring up to date what is known of regions and thrusters, and take what memory they lack."""
+        if len(self.fields.regions) + len(self.fields.thrusters) > 0 and not has_fields(state):
+            plain(self.solver.free_motions)["buoyed"] = 0  # nobody else notes that they float no longer
         fields = self.fields._replace(regions=state.regions, edges=state.edges, thrusters=state.thrusters)
         lacks_bodies = has_fields(state) and len(fields.pushes) < self.room.bodies
         lacks_regions = len(fields.spans) < len(state.regions)
