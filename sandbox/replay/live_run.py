@@ -154,7 +154,8 @@ class LiveRun(FixedAttributes):
         here, applied = self.step_count, self._stepper.applied
         self.seek(self.length)
         try:
-            return recording_of(self.world, self._stepper.commands, self._tape)
+            done = self._stepper.commands[: self._stepper.applied]  # others are known of a run that begins again
+            return recording_of(self.world, done, self._tape)
         finally:
             self._place(here, applied)
 

@@ -246,6 +246,17 @@ def test_a_restart_keeps_what_was_done_and_nothing_else() -> None:
     assert timeline.world.digest() == pushed
 
 
+def test_a_recording_of_a_run_that_begins_again_has_no_more_than_was_done_by_then() -> None:
+    timeline = Timeline(SCENE, [(3, ApplyImpulse("ball", (3.0, 0.0)))], 9)
+    play(timeline, 5)
+    timeline.begin_again(timeline.commands)
+    for steps, commands in ((1, 0), (3, 1)):
+        play(timeline, steps)
+        recording = timeline.recording()
+        assert (recording.steps, len(recording.commands)) == (timeline.step_count, commands)
+        assert sandbox.rerun(recording).passed
+
+
 def test_a_future_that_ends_before_the_other_parts_from_it_is_gone_to_at_its_end() -> None:
     timeline = Timeline(SCENE)
     play(timeline, 3)
