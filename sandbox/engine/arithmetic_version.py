@@ -112,7 +112,9 @@ NOTES: dict[int, str] = {
     "bounce move in other units as in metres",
     49: "where guesses at which stops of joints hold go in circles, impulses descend from those before; nets are swept "
     "twice a substep at least",
-    50: "parts that are sparse but for a few bodies with many joints are factorised, with these bodies as unknowns",
+    50: "parts that are sparse but for a few bodies with many joints are factorised, with these bodies as unknowns; "
+    "static tiles beside one that comes, goes or is put elsewhere know of it at once; what rattles is taken back to "
+    "velocities of its own step; nobody floats once the last region is gone",
 }
 """For each number, what changed the bits. The next change appends a line; no line is ever taken away."""
 
