@@ -62,11 +62,21 @@ def _told(error: Exception) -> tuple[str, int]:
     """What is said of an error, and the exit code to end with."""
     if isinstance(error, SandboxError):
         return printable_lines(str(error)), NOTHING if isinstance(error, NothingToDoError) else UNUSABLE
+    if isinstance(error, FileNotFoundError) and _current_folder_is_gone():
+        return "the current folder has been deleted: change to one that is there, and try again", UNUSABLE
     if isinstance(error, OSError) and error.filename is not None:
         return printable(f"{error.filename}: {error.strerror}"), UNUSABLE
     if isinstance(error, OSError) and error.errno in _NO_ROOM:
         return f"the output could not be written: {error.strerror}", UNUSABLE
     return _bug_text(error), BUG
+
+
+def _current_folder_is_gone() -> bool:
+    try:
+        os.getcwd()
+    except FileNotFoundError:
+        return True
+    return False
 
 
 def _bug_text(error: Exception) -> str:

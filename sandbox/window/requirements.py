@@ -29,6 +29,8 @@ def check_packages() -> None:
             importlib.import_module(name)
         except ModuleNotFoundError as error:
             raise MissingDependencyError(_package_text(error.name or name)) from error
+        except FileNotFoundError:  # of the current folder, not of a library
+            raise
         except (ImportError, OSError, AttributeError) as error:
             text = f"the window cannot load {name}: {error}. A system library is missing. {LIBRARIES_HINT}"
             raise MissingDependencyError(text) from error

@@ -184,6 +184,22 @@ def test_a_file_that_cannot_be_written_is_the_users_to_mend(cli: Callable, monke
     assert (done.code, done.err) == (2, "sandbox: /out.png: Permission denied\n")
 
 
+@pytest.mark.skipif(sys.platform == "win32", reason="nobody can delete a folder there that somebody is in")
+@pytest.mark.parametrize("arguments", [["check", "-j", "2"], ["replay", "-j", "2"]])
+def test_a_folder_that_has_been_deleted_is_no_bug(
+    cli: Callable, write_scene: Callable, monkeypatch: pytest.MonkeyPatch, tmp_path: Path, arguments: list[str]
+) -> None:
+    """Processes are begun in the current one."""
+    scenes = [write_scene("a.scene.json"), write_scene("b.scene.json")]
+    gone = tmp_path / "gone"
+    gone.mkdir()
+    monkeypatch.chdir(gone)
+    gone.rmdir()
+    done = cli(*arguments, *scenes)
+    assert done.code == 2
+    assert done.err.strip().endswith("the current folder has been deleted: change to one that is there, and try again")
+
+
 def test_scene_mistakes_are_listed_with_place_excerpt_and_mend(cli: Callable, monkeypatch: pytest.MonkeyPatch) -> None:
     problems = [
         Problem(
