@@ -248,10 +248,20 @@ class World(Readings, Shown, FixedAttributes):
         self._deferred.apply()
         return self._events.untold
 
+    @property
+    def last_step(self) -> LastStep:
+        """What was told of the last step and no snapshot holds, with what is `untold`: for `recall`."""
+        return self._events.kept(self.scratch), self.contact_impulses
+
+    def recall(self, last_step: LastStep) -> None:
+        """Tell of the last step what was told when `last_step` was had, after the snapshot of then was restored."""
+        events, impulses = last_step
+        self._events.recall(events)
+        self.scratch.contacts.reports.total_impulse[: len(impulses)] = impulses
+
     def __reduce_ex__(self, protocol: Any) -> tuple[Any, ...]:
         """How to make a world like it: from the scene and a snapshot, never from memory that both would share."""
-        last_step = self._events.kept(self.scratch), self.contact_impulses
-        made_of = type(self), self.scene, self.workers, self.snapshot(), last_step
+        made_of = type(self), self.scene, self.workers, self.snapshot(), self.last_step
         return _made_again, made_of, attributes_besides(World, object.__getstate__(self))
 
     def _read_roster(self, text: bytes) -> Roster:
@@ -322,14 +332,10 @@ class World(Readings, Shown, FixedAttributes):
         return f"<World of {len(self.state.bodies)} bodies at step {self.step_count}>"
 
 
-def _made_again(
-    kind: type[World], scene: Any, workers: int, data: bytes, last_step: tuple[KeptEvents, Floats]
-) -> World:
+def _made_again(kind: type[World], scene: Any, workers: int, data: bytes, last_step: LastStep) -> World:
     """The world that `World.__reduce_ex__` tells of. A subclass gets its own attributes afterwards."""
     world = kind.__new__(kind)
     World.__init__(world, scene, workers)
     world.restore(data)
-    events, impulses = last_step
-    world._events.recall(events)
-    world.scratch.contacts.reports.total_impulse[: len(impulses)] = impulses
+    world.recall(last_step)
     return world

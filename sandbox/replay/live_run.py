@@ -134,7 +134,7 @@ class LiveRun(FixedAttributes):
     def mark(self) -> Mark:
         """This place in the run, for `amend`."""
         held = frozenset() if self.at_end else self._held()
-        return Mark(self.step_count, self._stepper.applied, self.world.snapshot(), self.world.untold, held)
+        return Mark(self.step_count, self._stepper.applied, self.world.snapshot(), self.world.last_step, held)
 
     def amend(self, mark: Mark, *commands: Command) -> None:
         """Apply commands instead of those that were applied since `mark`, for what is adjusted by hand.
@@ -142,7 +142,7 @@ class LiveRun(FixedAttributes):
         If steps have been taken since, nothing is taken back. Raises what `World.apply` raises.
         """
         if self.step_count == mark.step and self._stepper.applied > mark.applied:
-            self._stepper.take_back(mark.snapshot, mark.applied, mark.untold)
+            self._stepper.take_back(mark.snapshot, mark.applied, mark.last_step)
         for command in commands:
             self._apply(command, mark.held)
 

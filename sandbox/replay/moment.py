@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from sandbox.engine.events.event_log import Untold
+from sandbox.engine.world import LastStep
 from sandbox.replay.recording.command_words import TimedCommand
 from sandbox.replay.recording.tape import Tape
 
@@ -61,7 +61,7 @@ class Mark:
     step: int
     applied: int
     snapshot: bytes
-    untold: Untold
+    last_step: LastStep
     held: frozenset[str]
 
 

@@ -163,6 +163,21 @@ def test_what_is_adjusted_while_time_stands_is_one_command() -> None:
     assert timeline.world.digest() == straight(timeline)
 
 
+def test_what_the_last_step_told_stays_while_something_is_adjusted() -> None:
+    timeline = Timeline(SCENE)
+    play(timeline, 1)
+    while not len(timeline.world.events.begin):
+        play(timeline, 1)
+    told, impulses = timeline.world.events.begin.tolist(), timeline.world.contact_impulses.tolist()
+    assert max(impulses) > 0.0
+    timeline.begin_act("Gravity")
+    mark = timeline.mark()
+    for strength in (1.0, 2.0):
+        timeline.amend(mark, SetGravity((0.0, -strength)))
+        assert timeline.world.events.begin.tolist() == told
+        assert timeline.world.contact_impulses.tolist() == impulses
+
+
 def test_a_drag_that_the_lost_future_would_have_ended_ends() -> None:
     timeline = Timeline(SCENE)
     timeline.apply(StartDrag("ball", (0.2, 3.0)))

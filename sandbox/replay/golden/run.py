@@ -8,7 +8,7 @@ from typing import Any
 
 from sandbox.arguments import check_kind, checked_count
 from sandbox.engine.events.event_log import Untold
-from sandbox.engine.world import World
+from sandbox.engine.world import LastStep, World
 from sandbox.replay.recording.command_words import TimedCommand
 from sandbox.replay.recording.recording import Recording
 from sandbox.replay.recording.refusal import telling_refusal
@@ -78,12 +78,14 @@ class RunStepper:
         self.commands.insert(self._applied, (self.step, command))
         self._applied += 1
 
-    def take_back(self, snapshot: bytes, applied: int, untold: Untold) -> None:
-        """Forget all commands but the first `applied`; `snapshot` is the world after these, in this step.
+    def take_back(self, snapshot: bytes, applied: int, last_step: LastStep) -> None:
+        """Forget all commands but the first `applied`; `snapshot` is the world after these, in this step, which has
+        `last_step` to tell.
 
         Raises `SnapshotError`.
         """
-        self.restore(snapshot, applied, untold)
+        self.restore(snapshot, applied)
+        self.world.recall(last_step)
         self.commands = self.commands[:applied]
 
     def forget_coming(self) -> None:
