@@ -17,6 +17,7 @@ from sandbox.world.state import State
 Rows: TypeAlias = tuple[int, ...]
 
 _FEW = 4
+"""Bodies up to which the words of each row are written sooner than columns."""
 
 
 def wake_body(state: State, index: int) -> Rows:

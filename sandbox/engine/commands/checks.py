@@ -58,9 +58,9 @@ def checked(command: T, unlimited: Collection[str] = ()) -> T:
     that is `unlimited`, and within the limit of its field.
     """
     kind: Any = type(command)
-    hurried = _made_plain(command, kind)
-    if hurried is not None:
-        return replace(command, **hurried) if hurried else command  # type: ignore[type-var]
+    floats = _made_plain(command, kind)
+    if floats is not None:
+        return replace(command, **floats) if floats else command  # type: ignore[type-var]
     plain: dict[str, Any] = {}
     for name, types in _types(kind).items():
         value = getattr(command, name)

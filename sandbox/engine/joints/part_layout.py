@@ -131,12 +131,11 @@ def part_layout(key: bytes) -> PartLayout:
     found, bodies = _elimination(sides, weights)
     order = np.arange(len(joints)) if found is None else found.order
     of_joint = order[order < len(joints)]
-    if found is None:
-        seats, columns = np.nonzero(slots >= 0)
-        return PartLayout(order, seats, slots[seats, columns], anchored, hung, None)
     joints, slots, weights = _with_bodies(joints, slots, weights, bodies)
     seats, columns = np.nonzero(slots[order] >= 0)
     of_row = slots[order][seats, columns]
+    if found is None:
+        return PartLayout(of_joint, seats, of_row, anchored, hung, None)
     counts = (slots[order] >= 0).sum(axis=1)
     pattern = symbolic(found, np.cumsum(counts) - counts, weights[order], len(of_row))
     bounded = _may_be_bounded(joints[order, 0][seats], of_row)

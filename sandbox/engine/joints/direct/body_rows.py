@@ -52,12 +52,12 @@ def terms_of_bodies(kind: Integers, sides: Integers, joint: Integers, slot: Inte
     of_body = first[seat] + axis
     jacobian = row * at.ROW_SIZE + at.JACOBIAN + side * at.SIDE + axis * WIDTH
     diagonal = np.flatnonzero(is_body)
-    mass = np.where(slot[diagonal] == 2, OF_INERTIA, OF_MASS)
+    place = np.append(jacobian, diagonal * at.ROW_SIZE)
     return Terms(
         pattern.entries(np.append(np.minimum(row, of_body), diagonal), np.append(np.maximum(row, of_body), diagonal)),
-        np.append(jacobian, diagonal * at.ROW_SIZE),
-        np.append(jacobian, diagonal * at.ROW_SIZE),
-        np.append(np.full(len(row), OF_JACOBIAN), mass),
+        place,
+        place,
+        np.append(np.full(len(row), OF_JACOBIAN), np.where(slot[diagonal] == 2, OF_INERTIA, OF_MASS)),
         np.append(seat, sides[joint[diagonal], 0]),
     )
 

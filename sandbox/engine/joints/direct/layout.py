@@ -182,10 +182,9 @@ def _entries(rows: JointRows, seats: Integers, pattern: Pattern) -> tuple[Record
         _linear(axes[row], axes[column], side == other_side),
         seats[rows.joint[row], other_side],
     )
-    order = np.lexsort((other_side, side, found.entry))
-    more = terms_of_bodies(rows.kind, rows.sides, rows.joint, rows.slot, pattern)
-    terms = Terms(*(np.append(one[order], other) for one, other in zip(found, more, strict=True)))
-    order = np.argsort(terms.entry, kind="stable")
+    of_bodies = terms_of_bodies(rows.kind, rows.sides, rows.joint, rows.slot, pattern)
+    terms = Terms(*map(np.append, found, of_bodies))
+    order = np.lexsort((terms.one, terms.other, terms.entry))  # within an entry by the sides of both rows
     entries, products = ENTRY.zeros(len(pattern.row_of)), PRODUCT.zeros(len(order))
     products.one, products.other, products.linear = terms.one[order], terms.other[order], terms.linear[order]
     products.seat = terms.seat[order] * at.SEAT_SIZE
