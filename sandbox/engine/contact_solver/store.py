@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from sandbox._jit import inlined_kernel, kernel
 from sandbox._prefetch import AHEAD, prefetch_head
-from sandbox._vectors import Mask, Vector, load, select, spread
+from sandbox._vectors import Vector, load, select, spread, store
 from sandbox.engine.bodies.flags import flag_contact
 from sandbox.engine.contact_solver import blocks as cb
 from sandbox.engine.contact_solver.closing_speed import closing_speed
-from sandbox.engine.contact_solver.contact_rows import KEPT_OF_POINT_1, KEPT_OF_POINT_2, contact_rows, point_counts
+from sandbox.engine.contact_solver.contact_rows import KEPT_OF_POINT_1, KEPT_OF_POINT_2, contact_rows
 from sandbox.engine.contact_solver.rest_length import next_length
 from sandbox.engine.contact_solver.soft_constraint import Spring
 from sandbox.engine.midpoint.contacts_ahead import move_row_back
@@ -24,6 +24,9 @@ from sandbox.tables import Floats, Records
 
 BLOCK_SIZE = cb.BLOCK_SIZE
 LANES = cb.LANES
+_ROUNDING = 1e-9
+"""Where the normal impulse of a point in a substep changes its normal velocity by less than so many m/s it bears
+nothing: what rounding leaves of one must not decide where friction acts, nor what is supported."""
 
 
 @kernel
@@ -75,6 +78,7 @@ def store_blocks(
     for n in range(first, end):
         block = blocks.blocks[n]
         v = blocks.lanes[n * BLOCK_SIZE : (n + 1) * BLOCK_SIZE]
+        _drop_rounding(v, _ROUNDING * spring.units_per_meter)
         for at in range(block.first + AHEAD, block.first + AHEAD + LANES):
             if at < blocks.slots.shape[0]:
                 prefetch_head(contacts.now, blocks.slots[at].contact)
@@ -89,10 +93,23 @@ def store_blocks(
 
 
 @inlined_kernel
+def _drop_rounding(v: Floats, slow: float) -> None:
+    """Let the points of a block whose impulses change velocities by less than `slow` (m/s) bear nothing, and sum up
+    what both bore in the step."""
+    first = load(v, cb.POINT_1 + cb.NORMAL_IMPULSE)
+    second = load(v, cb.POINT_2 + cb.NORMAL_IMPULSE)
+    total = load(v, cb.TOTAL_IMPULSE) + (first + second)
+    least1 = slow * load(v, cb.POINT_1 + cb.NORMAL_MASS)
+    least2 = slow * load(v, cb.POINT_2 + cb.NORMAL_MASS)
+    store(v, cb.POINT_1 + cb.NORMAL_IMPULSE, select(first > least1, first, 0.0))
+    store(v, cb.POINT_2 + cb.NORMAL_IMPULSE, select(second > least2, second, 0.0))
+    store(v, cb.TOTAL_IMPULSE, select(total > least1 + least2, total, 0.0))
+
+
+@inlined_kernel
 def _report(bodies: Records, contact: Records, report: Records, v: Floats) -> None:
     """Report on a contact with lane `v`, which still has the impulses of the step before."""
-    total = v[cb.TOTAL_IMPULSE] + v[cb.POINT_1 + cb.NORMAL_IMPULSE] + v[cb.POINT_2 + cb.NORMAL_IMPULSE]
-    impulse = float(contact.impact_impulse + (total if total > 0.0 else 0.0))
+    impulse = float(contact.impact_impulse + v[cb.TOTAL_IMPULSE])
     report.total_impulse = impulse
     if impulse > 0.0:
         contact.touching = 1
@@ -115,25 +132,22 @@ def _keep(block: Records, v: Floats, contacts: Records, rows: Rows, spring: Spri
         yields = select(load(v, cb.JOINTED) > 0.0, spring.yields_jointed, yields)
     length1 = next_length(length1, load1, yields, load(v, cb.POINT_1 + cb.NORMAL_MASS))
     length2 = next_length(length2, load2, yields, load(v, cb.POINT_2 + cb.NORMAL_MASS))
+    bears = load1 + load2 > 0.0
     if block.frictional == 1:
-        tangent = substeps * load(v, cb.TANGENT_IMPULSE)
-        tangent1, tangent2 = _share_friction(tangent, load1, load2, point_counts(contacts, rows) == 2.0)
+        tangent = select(bears, substeps * load(v, cb.TANGENT_IMPULSE), 0.0)
+        tangent1, tangent2 = _share_friction(tangent, load1, load2)
     if block.rolling == 1:
-        rolling = substeps * load(v, cb.ROLLING_IMPULSE)
+        rolling = select(bears, substeps * load(v, cb.ROLLING_IMPULSE), 0.0)
     scatter_fields(contacts, rows, KEPT_OF_POINT_1, (load1, tangent1, length1, feature), 0, block.count)
     scatter_fields(contacts, rows, KEPT_OF_POINT_2, (load2, tangent2, length2, rolling), 0, block.count)
 
 
 @inlined_kernel
-def _share_friction(tangent: Vector, load1: Vector, load2: Vector, both: Mask) -> tuple[Vector, Vector]:
+def _share_friction(tangent: Vector, load1: Vector, load2: Vector) -> tuple[Vector, Vector]:
     """The friction of both points (N s) at each, by what it bears."""
     total = load1 + load2
-    bears = total > 0.0
-    total = select(bears, total, 1.0)
-    return (
-        tangent * select(bears, load1 / total, select(both, spread(0.5), 1.0)),
-        tangent * select(bears, load2 / total, select(both, spread(0.5), 0.0)),
-    )
+    total = select(total > 0.0, total, 1.0)
+    return tangent * (load1 / total), tangent * (load2 / total)
 
 
 @kernel
