@@ -115,8 +115,8 @@ NOTES: dict[int, str] = {
     50: "parts that are sparse but for a few bodies with many joints are factorised, with these bodies as unknowns; "
     "static tiles beside one that comes, goes or is put elsewhere know of it at once; what rattles is taken back to "
     "velocities of its own step; nobody floats once the last region is gone",
-    51: "what rounding alone leaves of the impulse of a contact that bears nothing is no load, and no longer says where "
-    "friction acts and what is supported",
+    51: "what rounding alone leaves of the impulse of a contact that bears nothing is no load, and no longer says "
+    "where friction acts and what is supported",
 }
 """For each number, what changed the bits. The next change appends a line; no line is ever taken away."""
 
