@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from itertools import pairwise
+from itertools import pairwise, product
 from typing import Any
 
 import numpy as np
@@ -22,9 +22,9 @@ Words = dict[str, Any]
 
 LENGTHS = {
     "position", "velocity", "gravity", "box", "circle", "capsule", "polygon", "segment", "chain", "radius", "at",
-    "anchor", "anchors", "length", "rest", "surface_speed",
+    "anchor", "anchors", "length", "rest", "surface_speed", "ratio",
 }  # fmt: skip
-"""What a length is in, once: places, speeds, accelerations."""
+"""What a length is in, once: places, speeds, accelerations; the ratio of a gear, where it is a slide to an angle."""
 
 
 def in_units(words: Any, size: float, mass: float, name: str = "") -> Any:
@@ -56,7 +56,7 @@ def some(parts: others.Parts, most: int = 250) -> others.Parts:
     """The first bodies and what joins these."""
     bodies = parts[0][:most]
     there = {body["id"] for body in bodies}
-    return bodies, [joint for joint in parts[1] if there.issuperset(joint["bodies"])]
+    return bodies, [joint for joint in parts[1] if there.issuperset(joint.get("bodies", []))]
 
 
 def pinned(parts: others.Parts) -> others.Parts:
@@ -94,6 +94,42 @@ def bouncing_pairs() -> others.Parts:
     return bodies, joints
 
 
+def racks() -> others.Parts:
+    """Racks that turn wheels, and are struck by what falls on them."""
+    bodies: list[Words] = []
+    joints: list[Words] = []
+    for k in range(6):
+        x = 4.0 * k
+        wheel, rack, weight = f"wheel{k}", f"rack{k}", f"weight{k}"
+        bodies.append({"id": wheel, "position": [x, 4], "shapes": [{"circle": 1, "density": 2.0 + k}]})
+        bodies.append({"id": rack, "position": [x + 1.2, 3], "shapes": [{"box": [0.3, 4]}]})
+        bodies.append({"id": weight, "position": [x + 1.3, 6 + k], "shapes": [{"circle": 0.4, "density": 9.0}]})
+        joints.append({"id": f"pin{k}", "type": "revolute", "bodies": [wheel], "anchor": [x, 4]})
+        joints.append({"id": f"slide{k}", "type": "prismatic", "bodies": [rack], "anchor": [x + 1.2, 3], "axis": [0, 1]})
+        joints.append({"id": f"gear{k}", "type": "gear", "joints": [f"slide{k}", f"pin{k}"], "ratio": 0.5 + 0.1 * k})
+    return bodies, joints
+
+
+def drawers() -> others.Parts:
+    """A grid of hinges and slides too dense to be factorised, in which slides of a row are geared to each other."""
+    bodies: list[Words] = []
+    joints: list[Words] = []
+    for i, j in product(range(9), range(9)):
+        x, y = 1.1 * i, 5 + 1.1 * j
+        bodies.append({"id": f"b{i}-{j}", "position": [x, y], "shapes": [{"box": [0.8, 0.6]}]})
+        if i > 0:
+            pair = {"bodies": [f"b{i - 1}-{j}", f"b{i}-{j}"], "anchor": [x - 0.55, y]}
+            joints.append({"id": f"hinge{i}-{j}", "type": "revolute", **pair})
+        if j > 0:
+            pair = {"bodies": [f"b{i}-{j - 1}", f"b{i}-{j}"], "anchor": [x, y - 0.55]}
+            joints.append({"id": f"slide{i}-{j}", "type": "prismatic", "axis": [0, 1], **pair})
+        if i > 0 and j > 0:
+            slides = [f"slide{i - 1}-{j}", f"slide{i}-{j}"]
+            joints.append({"id": f"gear{i}-{j}", "type": "gear", "joints": slides})
+    bodies[0]["type"] = "static"
+    return bodies, joints
+
+
 BUILDS: dict[str, Callable[[], others.Parts]] = {
     "boxes": lambda: others.heap_of_boxes(1),
     "capsules under a weight": lambda: pinned(others.heap_of_capsules(1)),
@@ -111,6 +147,8 @@ BUILDS: dict[str, Callable[[], others.Parts]] = {
     "needles": lambda: others.needles(1),
     "shots": lambda: shots(1),
     "pairs that bounce": bouncing_pairs,
+    "racks": racks,
+    "drawers": drawers,
 }
 
 

@@ -33,7 +33,7 @@ def target_softly(
     `push` (1/s) turns an error into the speed that takes it back, `give` is the softness of rigid rows as a share of
     their stiffness. Without push nothing but velocities counts, and springs have had their say.
     """
-    turns = row.slot == 2 or (row.slot >= 3 and joint.kind == REVOLUTE)
+    turns = _counts_radians(row)
     unit = 1.0 if turns else units_per_meter
     row.softness = 0.0
     row.low = -INFINITE
@@ -68,6 +68,12 @@ def target_softly(
         # Where the push is cut the row grows stiffer, so that it gives way no further than the same spring would.
         row.softness = give * row.stiffness * (within / row.error if push > 0.0 and within != row.error else 1.0)
         _bound(row, seconds * strength(row, joint))
+
+
+@kernel
+def _counts_radians(row: Records) -> bool:
+    """Whether the error of a row is an angle: it turns its first two members, and pushes them nowhere."""
+    return bool(row.x1 == 0.0 and row.y1 == 0.0 and row.x2 == 0.0 and row.y2 == 0.0)
 
 
 @kernel

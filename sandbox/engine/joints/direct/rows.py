@@ -73,8 +73,8 @@ def row_error(v: Floats, frame: Records, row: Records) -> Vector:
 
 @inlined_kernel
 def counts_radians(frame: Records, row: Records) -> bool:
-    """Whether the error of a row is an angle, or counts as one."""
-    return bool(row.axis == TURN or frame.kind == GEAR)
+    """Whether the error of a row is an angle: that of a gear is in what its first joint counts."""
+    return bool(row.axis == TURN or (frame.kind == GEAR and frame.kind_1 != PRISMATIC))
 
 
 @inlined_kernel
