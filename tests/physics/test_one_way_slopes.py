@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import cmath
+import math
 from typing import Any
 
 import pytest
@@ -78,3 +80,25 @@ def test_what_comes_from_the_side_passes_without_delay(sled, height, speed):
     for step in range(1, 160):
         world.step()
         assert world.body("sled").position == pytest.approx((-6 + step * speed / 60, height), abs=1e-9)
+
+
+@pytest.mark.parametrize("height", [-0.25, -0.1, 0.0, 0.3])
+@pytest.mark.parametrize("sled", SLEDS)
+@pytest.mark.parametrize("radius", [0.0, 0.05])
+def test_at_an_angle_it_holds_and_lets_pass_what_it_does_upright(radius, sled, height):
+    """Its sides are parallel to its direction but for rounding, which is not to choose."""
+    platform = {"box": [6, 0.2], "radius": radius, "one_way": [0, 1]}
+
+    def end(degrees: float) -> complex:
+        turn = cmath.rect(1.0, math.radians(degrees))
+        place, speed = (-6 + height * 1j) * turn, 5.0 * turn
+        start = {"position": (place.real, place.imag), "velocity": (speed.real, speed.imag), "angle": degrees}
+        bodies = [{"id": "sled", "shapes": [SLEDS[sled]], **start}, {"id": "platform", "type": "static"}]
+        bodies[1] |= {"shapes": [platform], "angle": degrees}
+        world = sandbox.World(sandbox.Scene(gravity=(0, 0), bodies=bodies))
+        world.step(120)
+        return complex(*world.body("sled").position) / turn
+
+    upright = end(0)
+    for degrees in (10, 20, 37, 45, 123, 180, 217, 300):
+        assert end(degrees) == pytest.approx(upright, abs=1e-6), degrees

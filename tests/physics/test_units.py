@@ -105,7 +105,9 @@ def racks() -> others.Parts:
         bodies.append({"id": rack, "position": [x + 1.2, 3], "shapes": [{"box": [0.3, 4]}]})
         bodies.append({"id": weight, "position": [x + 1.3, 6 + k], "shapes": [{"circle": 0.4, "density": 9.0}]})
         joints.append({"id": f"pin{k}", "type": "revolute", "bodies": [wheel], "anchor": [x, 4]})
-        joints.append({"id": f"slide{k}", "type": "prismatic", "bodies": [rack], "anchor": [x + 1.2, 3], "axis": [0, 1]})
+        joints.append(
+            {"id": f"slide{k}", "type": "prismatic", "bodies": [rack], "anchor": [x + 1.2, 3], "axis": [0, 1]}
+        )
         joints.append({"id": f"gear{k}", "type": "gear", "joints": [f"slide{k}", f"pin{k}"], "ratio": 0.5 + 0.1 * k})
     return bodies, joints
 

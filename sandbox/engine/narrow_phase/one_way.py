@@ -21,6 +21,9 @@ from sandbox.world.records import ONE_WAY, SEAMED
 _STEEP = 0.1
 """Cosine between a contact's normal and the direction below which the contact is at a side of the shape, and passes."""
 
+_ROUNDING = 1e-9
+"""A side that reaches across the direction by no more than this share of its length is parallel to it."""
+
 
 @kernel
 def leads_on(bodies: Records, shapes: Records, i: int, j: int, normal_x: float, normal_y: float) -> bool:
@@ -169,11 +172,15 @@ def _front_at(cores: Records, shape: Records, place: float, nx: float, ny: float
         end = cores[shape.vertex_start + (k + 1 if k + 1 < shape.vertex_count else 0)]
         u = ny * start.x - nx * start.y
         v = ny * end.x - nx * end.y
-        if u <= place <= v or v <= place <= u:
-            at_u = nx * start.x + ny * start.y
-            at_v = nx * end.x + ny * end.y
-            height = (at_v if at_v > at_u else at_u) if u == v else at_u + (place - u) / (v - u) * (at_v - at_u)
-            top = height if height > top else top
+        at_u = nx * start.x + ny * start.y
+        at_v = nx * end.x + ny * end.y
+        height = -FAR
+        if abs(v - u) <= _ROUNDING * abs(at_v - at_u):
+            if abs(place - u) <= _ROUNDING * abs(at_v - at_u):
+                height = at_v if at_v > at_u else at_u
+        elif u <= place <= v or v <= place <= u:
+            height = at_u + (place - u) / (v - u) * (at_v - at_u)
+        top = height if height > top else top
     return top
 
 
