@@ -163,7 +163,7 @@ def _clip(
         x = cores[incident.start + deepest].x + dx
         y = cores[incident.start + deepest].y + dy
         gap = nx * x + ny * y - offset - radii
-        _add_point(m, clipping, x, y, gap, face, deepest)
+        _add_point(m, clipping, x, y, gap, after if low > high_limit else face, deepest)
 
 
 @inlined_kernel

@@ -39,6 +39,8 @@ SWEEP = Table(
 POSED_ROWS = 128
 """Vertices of both cores as they lie at one time: a's first, b's from the middle on."""
 _FAR = 1e200
+_END = 1.0 - 1e-9
+"""A hit from then on is at the end of the motion but for rounding, as of what was stopped there before."""
 _STRIDES = 4096
 _CREEP = 0.02
 """Share of what is let pass by which overlaps as deep as that may grow: a surface slid along is not quite even."""
@@ -95,7 +97,7 @@ def time_of_impact(cores: Records, a: CoreRows, b: CoreRows, sweep: Records, pos
         if closing <= 0.0:
             return -1.0
         t = t + (gap + deep) / closing
-        if t >= 1.0:
+        if t >= _END:
             return -1.0
     _answer(posed, a, b, s, seen, out)
     s.touched = 1 if clear < 0.0 else 0

@@ -259,7 +259,7 @@ class Paused:
     def solve(self, bias: float, softness: float, slowest: float, allowance: float = 0.0, beyond: float = 0.0) -> None:
         """One pass."""
         m = self.scratch
-        soft = SoftContact(1.0 / self.substep, bias, softness, softness, slowest, allowance, beyond, False, True)
+        soft = SoftContact(1.0 / self.substep, bias, softness, softness, slowest, allowance, beyond, 0.0, False, True)
         solve_contacts(m.solver.motions, m.blocks, 0, self.blocks, m.workers, soft)
 
     def strike(self) -> None:

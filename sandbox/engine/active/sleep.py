@@ -21,6 +21,8 @@ from sandbox.tables import Records
 
 STILL_SPEED = 0.001
 """A body that has become faster while it was slow is about to slide or tip, unless it is slower than this, in m/s."""
+FASTER = 1.001
+"""Times as fast as it was such a body has to be: what rolls steadily is not faster by rounding."""
 SLEEP_SECONDS = 0.5
 """How long all bodies of an island have to be slow."""
 CORRECTED = 0.5
@@ -45,7 +47,7 @@ def count_slow_time(body: Records, moved: Records, flags: int, seconds: float, u
     if body.sleep_time == 0.0:
         body.slow_speed = speed
     time: float = body.sleep_time + seconds
-    nudged = time >= SLEEP_SECONDS and speed > STILL_SPEED * unit and speed > body.slow_speed
+    nudged = time >= SLEEP_SECONDS and speed > STILL_SPEED * unit and speed > FASTER * body.slow_speed
     time = 0.0 if nudged or flags & KEPT_AWAKE != 0 else time
     body.sleep_time = time
     return time >= SLEEP_SECONDS

@@ -18,6 +18,8 @@ from sandbox.tables import Integers
 STRAIGHT = 0.01
 """Sine of the angle between change and velocity up to which a body starts or stops in a straight line: then the mean
 velocity holds also where all of the velocity is new."""
+FROM_REST = 1.001
+"""What starts from rest changes by just its velocity, of which rounding is not to choose whether it changes by more."""
 UNTOUCHED = 1e-9
 """Velocity (m/s) up to which what contacts have given and taken back again counts as nothing: it is rounding."""
 _ANGULAR_DECAY = BODY_FORCES.run("angular_decay", "extent", "moves", "by_end")
@@ -117,7 +119,7 @@ def _mean_share(change_x: Number, change_y: Number, vx: Number, vy: Number, gent
     """Factor that turns the end velocity into the mean velocity along it; 1 after a change that is not gentle."""
     change = change_x * change_x + change_y * change_y
     square = vx * vx + vy * vy
-    harsh = (change > gentle * gentle) | (change > square) | (square == 0.0)
+    harsh = (change > gentle * gentle) | (change > FROM_REST * square) | (square == 0.0)
     turns = change_x * vy - change_y * vx
     bends = (change > 0.25 * square) & (turns * turns > STRAIGHT * STRAIGHT * change * square)
     share = 1.0 + 0.5 * (change_x * vx + change_y * vy) / select(square == 0.0, 1.0, square)

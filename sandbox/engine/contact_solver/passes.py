@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from sandbox._jit import kernel
-from sandbox.engine.contact_solver.soft_constraint import Spring
+from sandbox.engine.contact_solver.soft_constraint import TOUCHING, Spring
 from sandbox.engine.contact_solver.solve import solve_again, solve_contacts
 from sandbox.engine.contact_solver.warm_start import forget_impulses
 from sandbox.engine.records.contact_blocks import BlockRanges, ContactBlocks, SoftContact
@@ -43,13 +43,14 @@ def passes_of(setting: Records, spring: Spring, seconds: float) -> Passes:
     """The passes of substeps of so many seconds whose contacts have that spring."""
     closing = 1.0 / seconds if setting.speculative == 1 else AT_ONCE
     push = -setting.push_out_speed * setting.units_per_meter
+    touching = TOUCHING * setting.units_per_meter
     soft, jointed = spring.softness, spring.softness_jointed
     return Passes(
-        SoftContact(closing, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, False, True),
-        SoftContact(closing, spring.bias, soft, jointed, push, 0.0, 0.0, False, False),
-        SoftContact(closing, spring.bias, soft, jointed, push, 0.0, 0.0, True, False),
-        SoftContact(closing, 0.0, 0.0, 0.0, 0.0, WAIT, OVER_RELAXATION, False, False),
-        SoftContact(closing, 0.0, 0.0, 0.0, 0.0, WAIT, OVER_RELAXATION, False, True),
+        SoftContact(closing, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, touching, False, True),
+        SoftContact(closing, spring.bias, soft, jointed, push, 0.0, 0.0, touching, False, False),
+        SoftContact(closing, spring.bias, soft, jointed, push, 0.0, 0.0, touching, True, False),
+        SoftContact(closing, 0.0, 0.0, 0.0, 0.0, WAIT, OVER_RELAXATION, touching, False, False),
+        SoftContact(closing, 0.0, 0.0, 0.0, 0.0, WAIT, OVER_RELAXATION, touching, False, True),
     )
 
 

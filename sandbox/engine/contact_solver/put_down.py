@@ -15,7 +15,7 @@ from sandbox.engine.contact_solver.closing_speed import opening_speed
 from sandbox.engine.contact_solver.law import start_velocity
 from sandbox.engine.contact_solver.nesterov import ROUNDING, Effort, list_bodies, solve_until_agreed
 from sandbox.engine.contact_solver.rest_length import sink, yields_of
-from sandbox.engine.contact_solver.soft_constraint import Spring
+from sandbox.engine.contact_solver.soft_constraint import TOUCHING, Spring
 from sandbox.engine.records.bodies import SolverBodies
 from sandbox.engine.records.contact_blocks import ContactBlocks, SoftContact
 from sandbox.engine.records.workers import Workers
@@ -52,7 +52,7 @@ def put_down(
     listed: Any = moved[: list_bodies(solver, moved, blocks, block_count)]
     effort = Effort(MOST_PASSES, MOST_WORK, AGREED * spring.units_per_meter, ROUNDING * spring.units_per_meter)
     solve_until_agreed(bodies, solver.motions, listed, blocks, block_count, workers, rigid, effort)
-    struck = _unite_struck(solver, listed, contacts, blocks, block_count, gravity, spring.seconds)
+    struck = _unite_struck(solver, listed, contacts, blocks, block_count, gravity, spring)
     for n in range(block_count):
         block = blocks.blocks[n]
         for k in range(block.count):
@@ -75,7 +75,7 @@ def _unite_struck(
     blocks: ContactBlocks,
     block_count: int,
     gravity: float,
-    seconds: float,
+    spring: Spring,
 ) -> int:
     """Unite, in `solver.struck`, what hangs together by contacts, and all of that in which something strikes;
     returns a body of the latter, or `NOBODY`."""
@@ -87,7 +87,7 @@ def _unite_struck(
         for slot in blocks.slots[block.first : block.first + block.count]:
             if solver.forces[slot.body_a].moves == SOLVED and solver.forces[slot.body_b].moves == SOLVED:
                 unite(solver.struck, slot.body_a, slot.body_b)
-            if _strikes(solver.free_motions, contacts[slot.contact], gravity * seconds, seconds):
+            if _strikes(solver.free_motions, contacts[slot.contact], gravity * spring.seconds, spring):
                 root = _root(solver, slot)
                 if struck == NOBODY:
                     struck = root
@@ -103,13 +103,14 @@ def _root(solver: SolverBodies, slot: Records) -> int:
 
 
 @inlined_kernel
-def _strikes(free_motions: Records, contact: Records, slow: float, seconds: float) -> bool:
-    """Whether a point closes within a substep, faster than `slow` (m/s); it may slide."""
+def _strikes(free_motions: Records, contact: Records, slow: float, spring: Spring) -> bool:
+    """Whether a point closes within a substep, be it just so, faster than `slow` (m/s); it may slide."""
     v = start_velocity(free_motions, contact)
     first = -opening_speed(v, contact, 1)
     second = -opening_speed(v, contact, 2) if contact.point_count == 2 else 0.0
-    strikes = first > slow and contact.separation1 <= first * seconds
-    return bool(strikes or (second > slow and contact.separation2 <= second * seconds))
+    nearly = TOUCHING * spring.units_per_meter
+    strikes = first > slow and contact.separation1 <= first * spring.seconds + nearly
+    return bool(strikes or (second > slow and contact.separation2 <= second * spring.seconds + nearly))
 
 
 @inlined_kernel

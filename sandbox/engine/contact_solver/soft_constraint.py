@@ -13,6 +13,8 @@ from sandbox.tables import Records
 
 BAUMGARTE = 0.2
 """Share of an overlap that is taken back in a substep where contacts are not soft."""
+TOUCHING = 1e-9
+"""Gap (m) that is closed but for rounding."""
 JOINTED_SOFTNESS = 0.65
 """Least softness of a contact of bodies that joints hold, times what its bias rate takes back in a substep.
 

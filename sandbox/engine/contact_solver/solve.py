@@ -195,7 +195,7 @@ def _push(block: Records, v: Floats, pose: PairPose, point: int, soft: SoftConta
     if block.rounded == 1:
         separation = separation + (load(v, cb.RADIUS_A) * pose.cos_a + load(v, cb.RADIUS_B) * pose.cos_b)
     separation = separation + load(v, point + cb.SEPARATION)
-    overlaps = separation <= 0.0
+    overlaps = separation <= soft.touching
     wanted = soft.bias_rate * separation
     saturated = wanted < soft.slowest_bias
     push = select(saturated, soft.slowest_bias, wanted)

@@ -6,6 +6,7 @@ import math
 
 from sandbox._jit import inlined_kernel
 from sandbox.engine.broad_phase.proxies import FIXED
+from sandbox.geometry.closest_features import FACE_OF_A, FACE_OF_B
 from sandbox.tables import Records
 
 
@@ -72,11 +73,19 @@ def fill_contact(
 
 @inlined_kernel
 def match_contact(old: Records, contact: Records) -> None:
-    """Carry impulses and rest lengths over from points of the last step with the same feature ids: warm starting."""
+    """Carry impulses and rest lengths over from points of the last step with the same feature ids: warm starting.
+
+    A single point stays the same as long as it is at the same vertex, whatever that meets: faces are called by the
+    vertex where they begin, so that by their ids alone a disc that rolls over a corner would keep its load on one side.
+    """
     contact.touching = old.touching
     contact.rolling_impulse = old.rolling_impulse
     contact.substep_level = old.substep_level
     if contact.feature1 == old.feature1:
+        contact.normal_impulse1 = old.normal_impulse1
+        contact.tangent_impulse1 = old.tangent_impulse1
+        contact.rest_length1 = old.rest_length1
+    elif contact.point_count == 1 and old.point_count == 1 and _is_at_same_vertex(old, contact):
         contact.normal_impulse1 = old.normal_impulse1
         contact.tangent_impulse1 = old.tangent_impulse1
         contact.rest_length1 = old.rest_length1
@@ -93,3 +102,13 @@ def match_contact(old: Records, contact: Records) -> None:
             contact.normal_impulse2 = old.normal_impulse1
             contact.tangent_impulse2 = old.tangent_impulse1
             contact.rest_length2 = old.rest_length1
+
+
+@inlined_kernel
+def _is_at_same_vertex(old: Records, contact: Records) -> bool:
+    """Whether a vertex that is at the only point of a contact was at its only point before, too."""
+    of_a = old.axis_owner != FACE_OF_A and contact.axis_owner != FACE_OF_A
+    of_b = old.axis_owner != FACE_OF_B and contact.axis_owner != FACE_OF_B
+    same_a = old.feature1 // 64 == contact.feature1 // 64
+    same_b = old.feature1 % 64 == contact.feature1 % 64
+    return bool((of_a and same_a) or (of_b and same_b))

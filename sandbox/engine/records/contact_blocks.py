@@ -68,9 +68,10 @@ class SoftContact(NamedTuple):
     `slowest_bias` (m/s, negative or zero) bounds the velocity that pushes overlapping bodies apart; zero makes the pass
     a relax pass, which removes the velocity that the push has added. `impact_allowance` (m/s) is added to the speed at
     which contacts that may have an impact may close while they are apart. `over_relaxation` is the share by which
-    the normal impulses of two points go beyond what is asked of them. `sums` adds those that a pass begins with to what
-    the step has given so far. `keeps` notes what the pass adds to velocities along the normal, for others at the same
-    poses.
+    the normal impulses of two points go beyond what is asked of them. Gaps up to `touching` (m) are closed but for
+    rounding, as what was stopped just when it arrived leaves them, and count as overlaps. `sums` adds those that a pass
+    begins with to what the step has given so far. `keeps` notes what the pass adds to velocities along the normal, for
+    others at the same poses.
     """
 
     inverse_seconds: float
@@ -80,5 +81,6 @@ class SoftContact(NamedTuple):
     slowest_bias: float
     impact_allowance: float
     over_relaxation: float
+    touching: float
     sums: bool
     keeps: bool

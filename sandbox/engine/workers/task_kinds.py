@@ -32,25 +32,25 @@ SWEEP_NETS = 22
 REPORT_NETS = 23
 
 # Places in `Workers.numbers`; the fields of `SoftContact` come first. The range to do is told to each worker by itself.
-SECONDS = 9
-GRAVITY = 10
-LEVEL = 11
-IMPACTS = 12
-PUSH = 13
-MOST = 14
-GIVE = 15
-UNSETTLED = 16
-IMPACT_SPEED = 17
-SUBSTEPS = 18
-STRUCK_BLOCKS = 19
-ANEW = 20
-BATCH = 21
-IMPACT_SECONDS = 22
-FIRST = 23
-END = 24
-UNITS = 25
-STAGE = 26
-SLOTS = 27
+SECONDS = 10
+GRAVITY = 11
+LEVEL = 12
+IMPACTS = 13
+PUSH = 14
+MOST = 15
+GIVE = 16
+UNSETTLED = 17
+IMPACT_SPEED = 18
+SUBSTEPS = 19
+STRUCK_BLOCKS = 20
+ANEW = 21
+BATCH = 22
+IMPACT_SECONDS = 23
+FIRST = 24
+END = 25
+UNITS = 26
+STAGE = 27
+SLOTS = 28
 
 
 @kernel
@@ -63,11 +63,12 @@ def tell_soft(numbers: Floats, soft: SoftContact) -> None:
     numbers[4] = soft.slowest_bias
     numbers[5] = soft.impact_allowance
     numbers[6] = soft.over_relaxation
-    numbers[7] = 1.0 if soft.sums else 0.0
-    numbers[8] = 1.0 if soft.keeps else 0.0
+    numbers[7] = soft.touching
+    numbers[8] = 1.0 if soft.sums else 0.0
+    numbers[9] = 1.0 if soft.keeps else 0.0
 
 
 @kernel
 def told_soft(n: Floats) -> SoftContact:
     """How contacts are to be treated."""
-    return SoftContact(n[0], n[1], n[2], n[3], n[4], n[5], n[6], n[7] > 0.0, n[8] > 0.0)
+    return SoftContact(n[0], n[1], n[2], n[3], n[4], n[5], n[6], n[7], n[8] > 0.0, n[9] > 0.0)
