@@ -117,9 +117,10 @@ NOTES: dict[int, str] = {
     "velocities of its own step; nobody floats once the last region is gone",
     51: "what rounding alone leaves of the impulse of a contact that bears nothing is no load, and no longer says "
     "where friction acts and what is supported",
-    52: "a single point of a contact keeps its load as long as it stays at the same vertex, whatever side or corner that "
-    "meets; what arrives just so, starts from rest, lies across a blow or rolls on evenly is no longer told from what "
-    "does not by rounding, and blows are followed by the faster of two points",
+    52: "a single point of a contact keeps its load as long as it stays at the same vertex, whatever side or corner "
+    "that meets; what arrives just so, starts from rest, lies across a blow or rolls on evenly is no longer told "
+    "from what does not by rounding, and blows are followed by the faster of two points; blows with restitution "
+    "that bring a joint to its stop are solved with what the stop does by itself",
 }
 """For each number, what changed the bits. The next change appends a line; no line is ever taken away."""
 

@@ -59,6 +59,19 @@ def gather_bodies(d: Batches, batch: Records, motions: Records, free_motions: Re
         store(v, place + at.DELTA_SIN, delta_sin)
 
 
+@kernel
+def gather_starts(d: Batches, batch: Records, free_motions: Records) -> None:
+    """Take over the velocities with which the substep began."""
+    v = d.memory
+    for slot in range(d.layouts[batch.layout].seats):
+        place = slot * at.SEAT_SIZE
+        for k in range(batch.count):
+            body = d.bodies[batch.bodies + slot * WIDTH + k]
+            v[place + at.VELOCITY_X + k] = free_motions[body].start_x if body >= 0 else 0.0
+            v[place + at.VELOCITY_Y + k] = free_motions[body].start_y if body >= 0 else 0.0
+            v[place + at.VELOCITY_W + k] = free_motions[body].start_w if body >= 0 else 0.0
+
+
 @inlined_kernel
 def _rows_of(d: Batches, batch: Records, slot: int) -> Rows:
     """The bodies on a seat, in each lane; -1 is the world."""

@@ -11,11 +11,12 @@ from sandbox._jit import kernel
 from sandbox._vectors import WIDTH, Mask, any_lane, load, select, spread, store
 from sandbox.engine.joints.direct import places as at
 from sandbox.engine.joints.direct.assemble import assemble
-from sandbox.engine.joints.direct.bodies import gather_bodies, scatter_bodies
+from sandbox.engine.joints.direct.bodies import gather_bodies, gather_starts, scatter_bodies
 from sandbox.engine.joints.direct.ldl import factorize, solve_directly
 from sandbox.engine.joints.direct.passes import BLOW
 from sandbox.engine.joints.direct.pivoting import aim_rows, choose_rows, clamp_rows
 from sandbox.engine.joints.direct.records import PASSED_THROUGH, Batches
+from sandbox.engine.joints.direct.rows import row_speed
 from sandbox.engine.joints.direct.solve import update_rows
 from sandbox.engine.joints.direct.targets import acts_in_blow
 from sandbox.tables import Records
@@ -79,13 +80,53 @@ def transmit(d: Batches, n: int, motions: Records, free_motions: Records, second
 
 
 @kernel
-def transmit_linearly(d: Batches, n: int, motions: Records, free_motions: Records, seconds: float) -> None:
-    """The same with the stops that held before, whatever passes the others, and even if they pull."""
+def transmit_push(d: Batches, n: int, motions: Records, free_motions: Records, seconds: float) -> None:
+    """The same for what pushes alone: with the stops that held before, even if they pull, which leave the speeds along
+    them as they were at the start of the substep. So what it changes is proportional to the push."""
+    batch = d.own[0]
+    who = load(d.memory, d.batches[n].lanes + at.STRUCK) == 1.0
+    if any_lane(who):
+        _place(d, n, motions, free_motions, who, seconds)
+        if d.layouts[batch.layout].bounded == 1:
+            _keep_speeds_at_stops(d, batch, free_motions)
+            gather_bodies(d, batch, motions, free_motions, BLOW)
+        solve_directly(d, batch, at.BLOW, who)
+        scatter_bodies(d, batch, motions)
+
+
+@kernel
+def come_to_stops(d: Batches, n: int, motions: Records, free_motions: Records, seconds: float) -> None:
+    """The same where nothing pushes: what the stops that held before change, which what they hold comes to within the
+    substep."""
     who = load(d.memory, d.batches[n].lanes + at.STRUCK) == 1.0
     if any_lane(who):
         _place(d, n, motions, free_motions, who, seconds)
         solve_directly(d, d.own[0], at.BLOW, who)
         scatter_bodies(d, d.own[0], motions)
+
+
+@kernel
+def holds_stop(d: Batches, lane: int) -> bool:
+    """Whether some stop of the part in a lane held last."""
+    batch = d.batches[lane // WIDTH]
+    layout = d.layouts[batch.layout]
+    for r in range(layout.first_row, layout.row_end):
+        row = d.equations[r]
+        if row.slot == 4 and d.memory[batch.rows + row.kept + at.HELD + lane % WIDTH] != 0.0:
+            return True
+    return False
+
+
+@kernel
+def _keep_speeds_at_stops(d: Batches, batch: Records, free_motions: Records) -> None:
+    """Let stops that hold aim at the speeds along them with which the substep began."""
+    v = d.memory
+    layout = d.layouts[batch.layout]
+    gather_starts(d, batch, free_motions)
+    for r in range(layout.first_row, layout.row_end):
+        row = d.equations[r]
+        if row.slot == 4:
+            store(v, row.place + at.BIAS, -row_speed(v, row))
 
 
 @kernel

@@ -1,7 +1,8 @@
 """The Delassus matrix of a group of impacts: what an impulse at each contact changes the speeds at all of them.
 
 J M^-1 J^T of free bodies, less what their joints take of it. Column by column it is what joints pass on of an impulse,
-with the stops held that were held last: so it is for as long as these are the same.
+with the stops held that were held last: so it is for as long as these are the same. What such stops do without any
+impulse, as what they hold comes to them within the substep, is no part of it, but of the speeds to which it adds.
 
 Source: E. Delassus, "Memoire sur la theorie des liaisons finies unilaterales", Annales scientifiques de l'Ecole Normale
 Superieure 34 (1917).
@@ -16,7 +17,7 @@ from sandbox.engine.joints.direct.records import MOST_STRUCK
 from sandbox.engine.records.bodies import SolverBodies
 from sandbox.engine.restitution.impact_list import ImpactList
 from sandbox.engine.restitution.impulses import rub_between, slip_speed
-from sandbox.engine.restitution.jointed.reach import Reach, begin_pushes, forget_push, hold_matrix, pass_on_from
+from sandbox.engine.restitution.jointed.reach import Reach, forget_push, hold_matrix, pass_on_from
 from sandbox.engine.restitution.solve_group import set_velocity
 from sandbox.engine.restitution.worklist import END
 from sandbox.tables import Floats, Records
@@ -31,16 +32,16 @@ WIDE = AXES * MOST_STRUCK
 @kernel
 def note_speeds(bodies: Records, solver: SolverBodies, contacts: Records, impacts: ImpactList, first: int) -> None:
     """Note how fast the points of the contacts linked from impact `first` on open, and how fast they slide, by the
-    velocities at the start of the substep."""
+    velocities in `solver.motions`."""
     k = first
     while k != END:
         row = impacts.rows[k]
         contact = contacts[impacts.slots[k].contact]
-        start = start_velocity(solver.free_motions, contact)
-        row.opening1 = opening_speed(start, contact, 1)
-        row.opening2 = opening_speed(start, contact, 2) if contact.point_count == 2 else 0.0
+        now = pair_velocity(solver.motions[contact.body_a], solver.motions[contact.body_b])
+        row.opening1 = opening_speed(now, contact, 1)
+        row.opening2 = opening_speed(now, contact, 2) if contact.point_count == 2 else 0.0
         row.slip = (
-            slip_speed(start, rub_between(bodies[contact.body_a], bodies[contact.body_b], contact))
+            slip_speed(now, rub_between(bodies[contact.body_a], bodies[contact.body_b], contact))
             - contact.surface_speed
         )
         k = row.next
@@ -50,8 +51,8 @@ def note_speeds(bodies: Records, solver: SolverBodies, contacts: Records, impact
 def fill_matrix(
     bodies: Records, solver: SolverBodies, contacts: Records, impacts: ImpactList, first: int, reach: Reach
 ) -> None:
-    """Work out the matrix of the contacts linked from impact `first` on. In: their speeds."""
-    begin_pushes(bodies, solver, impacts, first, reach)
+    """Work out the matrix of the contacts linked from impact `first` on. In: their speeds, and `solver.motions`, both
+    at the start of the substep, where the latter are left."""
     column = 0
     k = first
     while k != END:

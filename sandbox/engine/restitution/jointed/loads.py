@@ -13,7 +13,14 @@ from sandbox.engine.records.bodies import SolverBodies
 from sandbox.engine.restitution.impact_list import ImpactList
 from sandbox.engine.restitution.jointed.delassus import AXES, TANGENT, WIDE, add_impulses, fill_matrix, note_speeds
 from sandbox.engine.restitution.jointed.give import push_loads
-from sandbox.engine.restitution.jointed.reach import Reach, count_passes, holds_matrix, work_left
+from sandbox.engine.restitution.jointed.reach import (
+    Reach,
+    begin_pushes,
+    count_passes,
+    holds_matrix,
+    reach_stops,
+    work_left,
+)
 from sandbox.engine.restitution.two_point_block import Block, bearing_impulses
 from sandbox.engine.restitution.worklist import END
 from sandbox.tables import Floats, Records
@@ -38,9 +45,12 @@ def solve_jointed(
 ) -> None:
     """Find the loads as `solve_group` does, to `agreed` (m/s), of contacts on what reaches further by joints."""
     for _ in range(_MOST_GUESSES):
+        begin_pushes(bodies, solver, impacts, first, reach)
         note_speeds(bodies, solver, contacts, impacts, first)
         if not holds_matrix(reach):
             fill_matrix(bodies, solver, contacts, impacts, first, reach)
+        if reach_stops(solver, reach):
+            note_speeds(bodies, solver, contacts, impacts, first)
         count_passes(reach, _solve(bodies, contacts, impacts, first, rough, agreed, reach.work.direct.delassus))
         push_loads(bodies, solver, contacts, impacts, first, 1.0, reach)
         if holds_matrix(reach) or work_left(reach) <= 0:

@@ -10,7 +10,14 @@ from typing import NamedTuple
 
 from sandbox._jit import inlined_kernel, kernel
 from sandbox.engine.joints.direct.records import HAS_MATRIX, PASSED_THROUGH
-from sandbox.engine.joints.direct.transmit import report_blow, set_struck, transmit, transmit_linearly
+from sandbox.engine.joints.direct.transmit import (
+    come_to_stops,
+    holds_stop,
+    report_blow,
+    set_struck,
+    transmit,
+    transmit_push,
+)
 from sandbox.engine.joints.records import JointWork
 from sandbox.engine.records.bodies import SolverBodies
 from sandbox.engine.restitution.groups import ALONE
@@ -113,8 +120,27 @@ def pass_on_from(solver: SolverBodies, contact: Records, reach: Reach) -> None:
             set_struck(d, reach.work.parts[q].lane, True)
     n = reach.batch
     while n != LAST:
-        transmit_linearly(d, n - 1, solver.motions, solver.free_motions, reach.seconds)
+        transmit_push(d, n - 1, solver.motions, solver.free_motions, reach.seconds)
         n = d.batches[n - 1].next_struck
+
+
+@kernel
+def reach_stops(solver: SolverBodies, reach: Reach) -> bool:
+    """Let the stops that hold take what they do where nothing is pushed; whether any holds."""
+    d = reach.work.direct
+    held = False
+    p = reach.head
+    while p != LAST:
+        part = reach.work.parts[p - 1]
+        holds = holds_stop(d, part.lane)
+        set_struck(d, part.lane, holds)
+        held = held or holds
+        p = part.next_struck
+    n = reach.batch if held else LAST
+    while n != LAST:
+        come_to_stops(d, n - 1, solver.motions, solver.free_motions, reach.seconds)
+        n = d.batches[n - 1].next_struck
+    return held
 
 
 @kernel
