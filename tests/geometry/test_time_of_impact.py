@@ -96,3 +96,14 @@ def test_what_touches_something_that_gives_way_goes_on_into_it_but_not_through(o
     assert 0.5 * (thin * overlap + allowed) - 1e-9 <= deepest <= allowed + 1e-9
     row.y = 0.2 * thin  # too deep to be held
     assert impact_of(rows, *CORES, sweep, posed, out) == -1.0
+
+
+def test_what_ends_just_where_it_would_be_stopped_is_not_stopped():
+    """As after a stop: rounding does not stop it once more."""
+    rows = rectangles(WALL, (1.0, 0.1))
+    sweep, posed, out = SWEEP.zeros(1), VERTEX.zeros(POSED_ROWS), MANIFOLD.zeros(1)
+    row = sweep[0]
+    row.y, row.deep, row.thin, row.half = 0.155, 0.002, 0.055, 0.05
+    for late, stops in ((-1e-12, False), (0.0, False), (1e-12, False), (1e-6, True)):
+        row.translation_y = -(0.1 + row.deep) * (1.0 + late)
+        assert (impact_of(rows, *CORES, sweep, posed, out) >= 0.0) == stops, late
