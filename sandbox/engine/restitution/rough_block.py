@@ -67,8 +67,8 @@ def rough_matrix(contact: Records, mass: PairMass, rub: Rub) -> RoughMatrix:
 def rough_loads(
     start: PairVelocity, contact: Records, rub: Rub, k: RoughMatrix, change1: float, change2: float
 ) -> RoughLoads:
-    """The blow that is to change the speeds at both points of a contact so much (m/s). Of what only one point bears
-    while it slides, only the loads as it begins."""
+    """The blow that is to change the speeds at both points of a contact so much (m/s). What only one point bears while
+    it slides, as friction turns it over that, both may bear once it no longer does."""
     friction = contact.friction
     slip = slip_speed(start, rub) - contact.surface_speed
     if slip == 0.0:
@@ -79,7 +79,7 @@ def rough_loads(
     closing1 = -opening_speed(start, contact, 1)
     closing2 = -opening_speed(start, contact, 2)
     closing = first.load1 * closing1 + first.load2 * closing2
-    if first.load1 <= 0.0 or first.load2 <= 0.0 or closing <= 0.0:
+    if load <= 0.0 or closing <= 0.0:
         return RoughLoads(first.load1, first.load2, first.drag)
     share = -slip / first.slip if slip * (slip + first.slip) < 0.0 else 1.0
     after = _after_sliding(k, friction, change1 - share * first.change1, change2 - share * first.change2)
