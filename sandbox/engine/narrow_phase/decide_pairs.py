@@ -14,7 +14,7 @@ from sandbox.engine.narrow_phase.decision_bits import decision_bits, is_deep
 from sandbox.engine.narrow_phase.examine_pair import FACE_BIAS, TOUCHING, Approach, collide_pair, examine_pair
 from sandbox.engine.narrow_phase.outline import EdgeTables
 from sandbox.engine.narrow_phase.sleeping_contacts import first_not_before
-from sandbox.engine.narrow_phase.speculative import closing_distance, speculative_impact
+from sandbox.engine.narrow_phase.speculative import closing_distance, first_touch, speculative_impact
 from sandbox.engine.records.colliders import Colliders
 from sandbox.engine.records.decisions import DEEP, Decisions
 from sandbox.engine.records.state import StateTables
@@ -70,10 +70,15 @@ def decide_pairs(
         vx = b.velocity_x - a.velocity_x
         vy = b.velocity_y - a.velocity_y
         distance = closing_distance(a, b, vx, vy, seconds)
-        if distance > margin:
+        slow = distance <= margin
+        if not slow:
             t, vx, vy, margin = speculative_impact(bodies, shapes, proxies, cores, i, j, margin, fall, seconds)
         if t < 0.0 or not collide_pair(proxies, cores, i, j, vx * t, vy * t, margin, bias, manifold):
             continue
+        if slow:
+            t = first_touch(proxies, cores, i, j, vx, vy, manifold[0], margin, seconds)
+            if t > 0.0 and not collide_pair(proxies, cores, i, j, vx * t, vy * t, margin, bias, manifold):
+                continue
         known = k < old_count and old[k].shape_a == i and old[k].shape_b == j
         if (a.traits | b.traits) & (SEAMED | ONE_WAY):
             tables = EdgeTables(bodies, shapes, cores, state.seams, unit)

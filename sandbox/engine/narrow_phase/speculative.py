@@ -1,8 +1,10 @@
-"""Speculative contacts of pairs that close in faster than their margin: what will touch in the step has one now.
+"""Speculative contacts: what will touch in the step has one now.
 
-Such a pair is looked at where it will first touch: the axis there is the one that stops it, while the axis at the
-start would deflect bodies that only pass by. Where a body spins so fast that its path bends by more than the margin,
-no axis of now says anything: it has no speculative contact, but is swept (`continuous_collision`).
+A pair that closes in faster than its margin is looked at where it will first touch: the axis there is the one that
+stops it, while the axis at the start would deflect bodies that only pass by. So is a slower one that will touch; one
+that will not, as far as is known, but is within its margin, is looked at where it is. Where a body spins so fast that
+its path bends by more than the margin, no axis of now says anything: it has no speculative contact, but is swept
+(`continuous_collision`).
 """
 
 from __future__ import annotations
@@ -19,6 +21,8 @@ from sandbox.tables import Records
 
 _SLOP_SHARE = 0.05
 """Share of the margin within which a fast pair counts as touching already."""
+_TOUCH_SHARE = 0.002
+"""Share of the margin to which the moment of touch is found: what slides past meanwhile has another axis there."""
 
 
 @kernel
@@ -93,6 +97,28 @@ def speculative_impact(
                 vy = -a.velocity_y if only_a == 1 else b.velocity_y
                 t = linear_cast(cores, core_a, core_b, start, offset, (vx, vy), seconds, slop)
     return t, vx, vy, distance
+
+
+@kernel
+def first_touch(
+    proxies: Records, cores: Records, i: int, j: int, vx: float, vy: float, m: Records, margin: float, seconds: float
+) -> float:
+    """The time (s) at which a slow pair, whose manifold of now is within its margin, is to be looked at instead: where
+    it first touches in the step; 0 if it touches already, or will not.
+
+    (vx, vy) is the velocity (m/s) of b against a.
+    """
+    slop = _TOUCH_SHARE * margin
+    if m.separation <= slop or m.separation + (vx * m.normal_x + vy * m.normal_y) * seconds > slop:
+        return 0.0
+    a = proxies[i]
+    b = proxies[j]
+    core_a = core_of(a)
+    core_b = core_of(b)
+    offset = (b.center_x - a.center_x, b.center_y - a.center_y)
+    start = features_apart(cores, core_a, core_b, offset[0], offset[1])
+    t = linear_cast(cores, core_a, core_b, start, offset, (vx, vy), seconds, slop)
+    return t if t > 0.0 else 0.0
 
 
 @inlined_kernel
