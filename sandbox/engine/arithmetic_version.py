@@ -119,8 +119,9 @@ NOTES: dict[int, str] = {
     "where friction acts and what is supported",
     52: "a single point of a contact keeps its load as long as it stays at the same vertex, whatever side or corner "
     "that meets; what arrives just so, starts from rest, lies across a blow or rolls on evenly is no longer told "
-    "from what does not by rounding, and blows are followed by the faster of two points; blows with restitution "
-    "that bring a joint to its stop are solved with what the stop does by itself",
+    "from what does not by rounding; blows are followed by both points of a contact alike, and by what a stop "
+    "does by itself where they bring a joint there; what lands flat with friction leaves flat whatever its slip; "
+    "what closes in slowly strikes where it touches",
 }
 """For each number, what changed the bits. The next change appends a line; no line is ever taken away."""
 

@@ -51,6 +51,13 @@ def fastest_closing(a: Records, b: Records, contact: Records) -> float:
     return first if first > second else second
 
 
+@kernel
+def mean_closing(a: Records, b: Records, contact: Records) -> float:
+    """Speed (m/s) at which the points of a contact of bodies a and b close in on the mean as the step begins."""
+    first = closing_speed(a, b, contact, 1)
+    return 0.5 * (first + closing_speed(a, b, contact, 2)) if contact.point_count == 2 else first
+
+
 @inlined_kernel
 def gap_of(a: Records, b: Records, block: Records, v: Floats, point: int) -> float:
     """The gap (m) of now at `POINT_1` or `POINT_2` of the contact with lane `v` of a block, by its bodies' motions."""

@@ -11,7 +11,7 @@ from __future__ import annotations
 
 from sandbox._jit import inlined_kernel, kernel
 from sandbox.engine.bodies.flags import is_active
-from sandbox.engine.contact_solver.closing_speed import HARD, SLOW, fastest_closing, stops_by_several
+from sandbox.engine.contact_solver.closing_speed import HARD, SLOW, fastest_closing, mean_closing, stops_by_several
 from sandbox.engine.records.ccd import STRUCK
 from sandbox.engine.records.contacts import Contacts
 from sandbox.tables import Integers, Records
@@ -159,7 +159,7 @@ def _spread(bodies: Records, ccd_bodies: Records, contact: Records, side: float,
     gain = -side * (here.struck_x * contact.normal_x + here.struck_y * contact.normal_y)
     if gain <= ACROSS * (abs(here.struck_x) + abs(here.struck_y)):
         return False
-    speed = gain + fastest_closing(bodies[contact.body_a], bodies[contact.body_b], contact)
+    speed = gain + mean_closing(bodies[contact.body_a], bodies[contact.body_b], contact)
     return _reach(bodies, ccd_bodies, contact, side, speed, here.struck_mass, least)
 
 
