@@ -121,7 +121,7 @@ NOTES: dict[int, str] = {
     "that meets; what arrives just so, starts from rest, lies across a blow or rolls on evenly is no longer told "
     "from what does not by rounding; blows are followed by both points of a contact alike, and by what a stop "
     "does by itself where they bring a joint there; what lands flat with friction leaves flat whatever its slip; "
-    "what closes in slowly strikes where it touches",
+    "what closes in slowly strikes where it touches; blows with friction give back no more than they took",
 }
 """For each number, what changed the bits. The next change appends a line; no line is ever taken away."""
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import random
 
 import pytest
 from hypothesis import given
@@ -11,7 +12,7 @@ from hypothesis import strategies as st
 from sandbox.engine.world import World
 from sandbox.scene.flat import FlatBody, FlatShape
 from tests.examples import examples
-from tests.flat import body, box, capsule, circle, ground, world
+from tests.flat import body, box, capsule, circle, ground, polygon, segment, world
 from tests.joints.jointed import joint, jointed
 
 FALL = 4.0
@@ -140,3 +141,73 @@ def test_no_blow_at_two_points_gains_energy(e, friction, height, along, angle, s
     for _ in range(6):
         w.step()
         assert energy() <= before * (1.0 + 1e-6)
+
+
+CORNERS = [(-4.0, -4.0), (4.0, -4.0), (4.0, 4.0), (-4.0, 4.0)]
+
+
+def closed_box(crowd: list[FlatBody], **surface: float) -> World:
+    """A crowd in a closed box, without gravity."""
+    ends = zip(CORNERS, CORNERS[1:] + CORNERS[:1], strict=True)
+    walls = body("box", *(segment(a, b, **surface) for a, b in ends), type="static")
+    return world(walls, *crowd, gravity=(0.0, 0.0))
+
+
+def highest_gain(w: World, steps: int) -> float:
+    """The most energy that a step adds, as a share of what there was at the beginning."""
+    b = w.state.bodies[1:]
+
+    def energy() -> float:
+        return float(0.5 * (b.mass * (b.velocity_x**2 + b.velocity_y**2) + b.inertia * b.angular_velocity**2).sum())
+
+    first = before = energy()
+    gain = 0.0
+    for _ in range(steps):
+        w.step()
+        now = energy()
+        gain = max(gain, (now - before) / first)
+        before = now
+    return gain
+
+
+@pytest.mark.parametrize(("seed", "count"), [(89, 1), (0, 6), (17, 6), (28, 6), (45, 6), (1, 16)])
+def test_a_crowd_that_rubs_as_it_bounces_gains_no_energy(seed, count):
+    """Whatever spins, and however it lands."""
+    r = random.Random(seed)
+    surface = {"restitution": 1.0, "friction": 0.5}
+    shapes = (
+        box(0.6, 0.3, **surface),
+        box(1.2, 0.2, **surface),
+        polygon((-0.4, -0.3), (0.5, -0.2), (0.0, 0.5), **surface),
+        capsule(0.4, 0.1, **surface),
+    )
+    crowd = []
+    for k in range(count):
+        shape = r.choice(shapes)
+        speed = r.uniform(-6.0, 6.0), r.uniform(-6.0, 6.0)
+        place = -3.0 + 2.0 * (k % 4), -2.0 + 1.5 * (k // 4)
+        spin = math.radians(r.uniform(-900.0, 900.0))
+        crowd.append(body(f"b{k}", shape, position=place, velocity=speed, angular_velocity=spin))
+    assert highest_gain(closed_box(crowd, **surface), 300) < 1e-12
+
+
+@pytest.mark.parametrize("seed", [11, 24, 27, 68, 136, 160, 170])
+def test_crowds_of_light_and_heavy_that_strike_together_hardly_gain_energy(seed):
+    """What friction does on the way to where it was found to hold is work, too; heaps are solved to thousandths."""
+    r = random.Random(seed)
+    count, friction, restitution = r.randrange(5, 60), r.choice([0.0, 0.2, 0.5, 0.8]), r.choice([0.5, 0.9, 1.0])
+    surface = {"restitution": restitution, "friction": friction}
+    crowd = []
+    for k in range(count):
+        kind = r.randrange(4)
+        speed, spin = (r.uniform(-6.0, 6.0), r.uniform(-6.0, 6.0)), math.radians(r.uniform(-600.0, 600.0))
+        weighed = {"density": r.choice([0.1, 1.0, 10.0]), **surface}
+        shape = (
+            box(0.6, 0.3, **weighed),
+            circle(0.3, **weighed),
+            polygon((-0.4, -0.3), (0.4, -0.2), (0.0, 0.4), **weighed),
+            capsule(0.3, 0.1, **weighed),
+        )[kind]
+        place = -3.5 + 0.99 * (k % 8), -3.5 + 0.99 * (k // 8)
+        crowd.append(body(f"b{k}", shape, position=place, velocity=speed, angular_velocity=spin))
+    assert highest_gain(closed_box(crowd, **surface), 120) < 2.5e-3

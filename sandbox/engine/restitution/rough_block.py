@@ -4,7 +4,7 @@ The slip is the same at both, as their tangents are on one line. The blow goes t
 (`rough_blow.py`): a piece in which the contact slides, and one in which it sticks, or slides back where friction cannot
 hold it. In each piece the loads are those that change the speeds at both points in the ratio that restitution asks
 for, with the torque of the friction in them, so that what lands flat leaves flat. Restitution multiplies the load at
-which the points no longer close, on the mean by what they bear.
+which the points no longer close, on the mean by what they bear; it ends where no more work is left for it.
 """
 
 from __future__ import annotations
@@ -14,6 +14,7 @@ from typing import NamedTuple
 from sandbox._jit import inlined_kernel, kernel
 from sandbox.engine.contact_solver.closing_speed import opening_speed
 from sandbox.engine.contact_solver.law import PairMass, PairVelocity, anchors_of, levers_of
+from sandbox.engine.restitution.blow_work import share_within
 from sandbox.engine.restitution.impulses import Rub, slip_speed
 from sandbox.engine.restitution.two_point_block import Block, block_of
 from sandbox.tables import Records
@@ -38,6 +39,14 @@ class RoughMatrix(NamedTuple):
     k1t: float
     k2t: float
     ktt: float
+
+
+class _Speeds(NamedTuple):
+    """Speeds (m/s) at which both points open, and at which the contact slides."""
+
+    opening1: float
+    opening2: float
+    slip: float
 
 
 class _Piece(NamedTuple):
@@ -82,25 +91,66 @@ def rough_loads(
     if load <= 0.0 or closing <= 0.0:
         return RoughLoads(first.load1, first.load2, first.drag)
     share = -slip / first.slip if slip * (slip + first.slip) < 0.0 else 1.0
+    speeds = _Speeds(-closing1, -closing2, slip)
+    turned = _after(speeds, first, share)
     after = _after_sliding(k, friction, change1 - share * first.change1, change2 - share * first.change2)
+    left = after.load1 + after.load2
     stop = closing / (first.load1 * first.change1 + first.load2 * first.change2)
     stopped = stop * load
+    lowest = _work(speeds, first, stop)
     if stop > share:
-        closing = after.load1 * (closing1 - share * first.change1) + after.load2 * (closing2 - share * first.change2)
+        closing = -after.load1 * turned.opening1 - after.load2 * turned.opening2
         changed = after.load1 * after.change1 + after.load2 * after.change2
         part = closing / changed if closing < changed else 1.0
-        stopped = share * load + part * (after.load1 + after.load2)
+        stopped = share * load + part * left
+        lowest = _work(speeds, first, share) + _work(turned, after, part)
+    restitution = 1.0 / stop - 1.0
+    most = (1.0 - restitution * restitution) * lowest
     total = stopped / stop
+    part = 0.0
     if share == 1.0 or total <= share * load:
-        share = total / load
-        return RoughLoads(share * first.load1, share * first.load2, share * first.drag)
-    left = after.load1 + after.load2
-    part = (total - share * load) / left if left > 0.0 else 0.0
+        share = _within(speeds, first, total / load, most)
+    elif left > 0.0:
+        part = _within(turned, after, (total - share * load) / left, most - _work(speeds, first, share))
     return RoughLoads(
         share * first.load1 + part * after.load1,
         share * first.load2 + part * after.load2,
         share * first.drag + part * after.drag,
     )
+
+
+@inlined_kernel
+def _after(speeds: _Speeds, piece: _Piece, share: float) -> _Speeds:
+    """The speeds after a share of a piece."""
+    return _Speeds(
+        speeds.opening1 + share * piece.change1,
+        speeds.opening2 + share * piece.change2,
+        speeds.slip + share * piece.slip,
+    )
+
+
+@inlined_kernel
+def _power(speeds: _Speeds, piece: _Piece) -> float:
+    """The work (J) of a piece, if speeds stayed as they are."""
+    return piece.load1 * speeds.opening1 + piece.load2 * speeds.opening2 + piece.drag * speeds.slip
+
+
+@inlined_kernel
+def _slowing(piece: _Piece) -> float:
+    """The work (J) of a piece by the change of speeds that it brings."""
+    return 0.5 * (piece.load1 * piece.change1 + piece.load2 * piece.change2 + piece.drag * piece.slip)
+
+
+@inlined_kernel
+def _work(speeds: _Speeds, piece: _Piece, share: float) -> float:
+    """The work (J) of a share of a piece."""
+    return share * (_power(speeds, piece) + share * _slowing(piece))
+
+
+@inlined_kernel
+def _within(speeds: _Speeds, piece: _Piece, share: float, most: float) -> float:
+    """A share of a piece, or the one up to which it does no more work (J) than `most`."""
+    return share_within(share, _power(speeds, piece), _slowing(piece), most)
 
 
 @kernel

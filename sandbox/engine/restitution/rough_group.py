@@ -2,22 +2,18 @@
 
 Loads and friction are found together (`solve_group.py`), for what is asked of the group or, where a contact slides back
 by then, for as much as goes before it does: the rest is found anew from there, with the friction the other way. So
-friction turns nothing that the loads could hold. No group gains energy: restitution gives back no more than its square
-of the work that stopping the group took.
-
-Source: W. J. Stronge, "Rigid body collisions with friction", Proceedings of the Royal Society A 431 (1990), for the
-work that restitution gives back.
+friction turns nothing that the loads could hold. No group gains energy (`blow_work.py`).
 """
 
 from __future__ import annotations
 
-import math
 from typing import NamedTuple
 
 from sandbox._jit import inlined_kernel, kernel
 from sandbox.engine.contact_solver.closing_speed import opening_speed
 from sandbox.engine.contact_solver.law import pair_velocity, start_velocity
 from sandbox.engine.records.bodies import SolverBodies
+from sandbox.engine.restitution.blow_work import share_within
 from sandbox.engine.restitution.groups import CLOSING, fastest, size_of
 from sandbox.engine.restitution.impact_list import ImpactList
 from sandbox.engine.restitution.impulses import rub_between, slip_speed
@@ -44,12 +40,14 @@ class _Slips(NamedTuple):
 
 
 class _Part(NamedTuple):
-    """A part of a blow: its loads together (N s), its work (J), `power * x + slowing * x * x` of the share x of it, and
-    which share it takes until a contact slides back."""
+    """A part of a blow: its loads together (N s), their work (`blow_work.py`), that of the friction, and which share it
+    takes until a contact slides back."""
 
     load: float
     power: float
     slowing: float
+    rubbing: float
+    rub_slowing: float
     share: float
 
 
@@ -72,7 +70,7 @@ def strike_rough_group(
     """
     slow = agreed * fastest(solver, contacts, impacts, first, CLOSING)
     restitution = 1.0 / stop - 1.0
-    work = lowest = load = stopped = 0.0
+    work = done = lowest = load = stopped = 0.0
     effort = 0
     parts = 1 + _MOST_PARTS // size_of(impacts, first)
     for turn in range(parts):
@@ -89,12 +87,15 @@ def strike_rough_group(
             lowest = work + turns * (part.power + turns * part.slowing)
             stopped = load + turns * part.load
         if turns < share:
-            share = _within(share, part, (1.0 - restitution * restitution) * lowest - work)
+            share = share_within(share, part.power, part.slowing, (1.0 - restitution * restitution) * lowest - work)
             most = (stopped / stop - load) / part.load
             share = most if most < share else share
+        # Friction is found for the end of a part, and may push on in its beginning.
+        share = share_within(share, part.power + part.rubbing, part.slowing + part.rub_slowing, -done)
         scale_impulses(impacts, first, share)
         share *= push_group(bodies, solver, contacts, impacts, first, reach)
         work += share * (part.power + share * part.slowing)
+        done += share * (part.power + part.rubbing + share * (part.slowing + part.rub_slowing))
         load += share * part.load
         if share < part.share or part.share == 1.0:
             break
@@ -150,27 +151,19 @@ def _slips(bodies: Records, solver: SolverBodies, contact: Records, row: Records
     return _Slips(before - contact.surface_speed, slip_speed(now, rub) - contact.surface_speed)
 
 
-@inlined_kernel
-def _within(share: float, part: _Part, most: float) -> float:
-    """A share of a part, or the one up to which it does no more work (J) than `most`."""
-    work = share * (part.power + share * part.slowing)
-    if work <= most or part.slowing <= 0.0:
-        return share
-    square = part.power * part.power + 4.0 * part.slowing * most
-    found = 0.5 * (math.sqrt(square) - part.power) / part.slowing if square > 0.0 else 0.0
-    found = found if found > 0.0 else 0.0
-    return found if found < share else share
-
-
 @kernel
 def _part_of(bodies: Records, solver: SolverBodies, contacts: Records, impacts: ImpactList, first: int) -> _Part:
     """What loads and friction do, by the velocities at the start of the substep and those in `solver.motions`."""
-    load = power = slowing = 0.0
+    load = power = slowing = rubbing = rub_slowing = 0.0
     share = 1.0
     k = first
     while k != END:
         row = impacts.rows[k]
         contact = contacts[impacts.slots[k].contact]
+        if row.drag != 0.0:
+            slips = _slips(bodies, solver, contact, row)
+            rubbing += row.drag * slips.before
+            rub_slowing += 0.5 * row.drag * (slips.after - slips.before)
         start = start_velocity(solver.free_motions, contact)
         now = pair_velocity(solver.motions[contact.body_a], solver.motions[contact.body_b])
         opening = opening_speed(start, contact, 1)
@@ -187,7 +180,7 @@ def _part_of(bodies: Records, solver: SolverBodies, contacts: Records, impacts: 
             share = until if until < share else share
             row.slides = 0.0
         k = row.next
-    return _Part(load, power, slowing, share)
+    return _Part(load, power, slowing, rubbing, rub_slowing, share)
 
 
 @kernel
