@@ -25,10 +25,10 @@ from sandbox.engine.restitution.two_point_block import Block, bearing_impulses
 from sandbox.engine.restitution.worklist import END
 from sandbox.tables import Floats, Records
 
-_MOST_GUESSES = 4
+MOST_GUESSES = 4
 """At the stops that hold; what is wrong with the last one is left to how large a share of the loads is given."""
 _MOST_PASSES = 256
-_IMMOVABLE = 1e-9
+IMMOVABLE = 1e-9
 """A point that an impulse moves by this share of what it moves free bodies by is held by joints alone."""
 
 
@@ -44,7 +44,7 @@ def solve_jointed(
     reach: Reach,
 ) -> None:
     """Find the loads as `solve_group` does, to `agreed` (m/s), of contacts on what reaches further by joints."""
-    for _ in range(_MOST_GUESSES):
+    for _ in range(MOST_GUESSES):
         begin_pushes(bodies, solver, impacts, first, reach)
         note_speeds(bodies, solver, contacts, impacts, first)
         if not holds_matrix(reach):
@@ -76,7 +76,7 @@ def _solve(
         k = first
         while k != END:
             contact = contacts[impacts.slots[k].contact]
-            least = _IMMOVABLE * (bodies[contact.body_a].inverse_mass + bodies[contact.body_b].inverse_mass)
+            least = IMMOVABLE * (bodies[contact.body_a].inverse_mass + bodies[contact.body_b].inverse_mass)
             change = _solve_contact(contact, impacts, first, k, column, rough, least, m)
             largest = change if change > largest else largest
             column += AXES
