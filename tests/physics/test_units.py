@@ -47,9 +47,11 @@ def world(parts: others.Parts, size: float = 1.0, mass: float = 1.0) -> sandbox.
 
 
 def poses(w: sandbox.World, size: float) -> list[Any]:
+    """Lengths in metres, angles, and who is awake. What has faded away has fewer digits the smaller it is: 0."""
     b = w.state.bodies
     lengths = [b.position_x, b.position_y, b.velocity_x, b.velocity_y]
-    return [*(each / size for each in lengths), b.angle, b.angular_velocity, b.awake]
+    numbers = [*(each / size for each in lengths), b.angle, b.angular_velocity]
+    return [*(np.where(np.abs(each) < 1e-290, 0.0, each) for each in numbers), b.awake]
 
 
 def some(parts: others.Parts, most: int = 250) -> others.Parts:

@@ -87,7 +87,7 @@ def transmit_push(d: Batches, n: int, motions: Records, free_motions: Records, s
     who = load(d.memory, d.batches[n].lanes + at.STRUCK) == 1.0
     if any_lane(who):
         _place(d, n, motions, free_motions, who, seconds)
-        if d.layouts[batch.layout].bounded == 1:
+        if _acts_at_stop(d, batch, who):
             _keep_speeds_at_stops(d, batch, free_motions)
             gather_bodies(d, batch, motions, free_motions, BLOW)
         solve_directly(d, batch, at.BLOW, who)
@@ -113,6 +113,17 @@ def holds_stop(d: Batches, lane: int) -> bool:
     for r in range(layout.first_row, layout.row_end):
         row = d.equations[r]
         if row.slot == 4 and d.memory[batch.rows + row.kept + at.HELD + lane % WIDTH] != 0.0:
+            return True
+    return False
+
+
+@kernel
+def _acts_at_stop(d: Batches, batch: Records, who: Mask) -> bool:
+    """Whether some stop of the parts `who` acts."""
+    layout = d.layouts[batch.layout]
+    for r in range(layout.first_row, layout.row_end):
+        row = d.equations[r]
+        if row.slot == 4 and any_lane(who & (load(d.memory, row.place + at.ACTIVE) == 1.0)):
             return True
     return False
 
